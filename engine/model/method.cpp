@@ -1,0 +1,26 @@
+// The table of methods and their revisions.
+#include "engine/model/method.h"
+
+#include <array>
+
+namespace tamp {
+
+namespace {
+
+constexpr std::array kMethods = {
+    MethodInfo{MethodName::drop_and_roll, 1,
+               "drop each sphere, roll it down to a stable place (sequential, geometric)"},
+    MethodInfo{MethodName::lattice, 1, "equal spheres on a lattice of known density, to judge the metrics"},
+};
+
+} // namespace
+
+std::span<const MethodInfo> methods() {
+  return kMethods;
+}
+
+const MethodInfo& info(MethodName name) {
+  return kMethods[static_cast<std::size_t>(name)];
+}
+
+} // namespace tamp

@@ -1,0 +1,36 @@
+// Metrics: what is measured on a packing, and the parameters of the measurement.
+#pragma once
+
+#include "engine/model/enum_names.h"
+
+#include <cstdint>
+#include <span>
+
+namespace tamp {
+
+enum class MetricName { hellinger, phi, phi_paper, overlap, stable_alone, coordination };
+template <>
+struct EnumNames<MetricName> {
+  static constexpr std::array<std::string_view, 6> value{"hellinger", "phi",          "phi_paper",
+                                                         "overlap",   "stable_alone", "coordination"};
+};
+
+/// A metric with its parameters; each metric uses only its own.
+struct Metric {
+  MetricName name = MetricName::phi;
+  std::int64_t bins = 80;    ///< hellinger: K equal bins between the smallest and the largest radius of the law
+  double inset = 0.05;       ///< phi, phi_paper: share of each edge cut from each side of the sub-box
+  double contact_gap = 1e-6; ///< stable_alone, coordination: largest gap of a contact, relative to the smaller radius
+};
+
+/// What is known of a metric without running it. A revision goes up whenever the same packing would give other values.
+struct MetricInfo {
+  MetricName name;
+  std::int64_t revision;
+  std::string_view summary;
+};
+
+std::span<const MetricInfo> metrics();
+const MetricInfo& info(MetricName name);
+
+} // namespace tamp

@@ -1,0 +1,15 @@
+// Outcome: how a job ended. Every job ends in exactly one of these; only `ok` has measures worth a table.
+#pragma once
+
+#include "engine/model/enum_names.h"
+
+namespace tamp {
+
+enum class Outcome { ok, did_not_converge, memory_limited, time_limited, not_applicable, failed };
+template <>
+struct EnumNames<Outcome> {
+  static constexpr std::array<std::string_view, 6> value{"ok",           "did-not-converge", "memory-limited",
+                                                         "time-limited", "not-applicable",   "failed"};
+};
+
+} // namespace tamp

@@ -1,0 +1,250 @@
+// The parameter tables: one row per parameter of scenes, methods, metrics and runs.
+#include "engine/model/parameter.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <type_traits>
+
+namespace tamp {
+
+namespace {
+
+using Words = std::string_view;
+
+const Range kAny{};
+const Range kPositive{0, std::numeric_limits<double>::infinity(), true, false};
+const Range kNotNegative{0, std::numeric_limits<double>::infinity(), false, false};
+const Range kFraction{0, 1, false, false};
+
+template <class Root>
+bool always(const Root&) {
+  return true;
+}
+
+/// One row. `field` is a stateless lambda from the root to its field; the field's type decides the kind.
+template <class Root, class Field>
+Parameter<Root> row(Words path, Words unit, Range range, Words doc, Field field, Words when = {},
+                    bool (*applies)(const Root&) = &always<Root>) {
+  using T = std::remove_cvref_t<decltype(field(std::declval<Root&>()))>;
+  Parameter<Root> p{path, unit, range, doc, when, applies, {}, {}, {}, {}};
+  // A field is read through the same lambda that writes it; reading does not change the root.
+  const auto read = [field](const Root& root) -> const T& { return field(const_cast<Root&>(root)); };
+  if constexpr (std::is_enum_v<T>) {
+    p.kind = ParameterKind::choice;
+    p.choices.assign(EnumNames<T>::value.begin(), EnumNames<T>::value.end());
+    p.get = [read](const Root& root) { return JsonLeaf(std::string(name_of(read(root)))); };
+    p.set = [field](Root& root, const JsonLeaf& leaf) { field(root) = *enum_of<T>(std::get<std::string>(leaf)); };
+  } else {
+    if constexpr (std::is_same_v<T, bool>) {
+      p.kind = ParameterKind::boolean;
+    } else if constexpr (std::is_same_v<T, std::int64_t>) {
+      p.kind = ParameterKind::integer;
+    } else if constexpr (std::is_same_v<T, double>) {
+      p.kind = ParameterKind::number;
+    } else {
+      static_assert(std::is_same_v<T, std::vector<double>>);
+      p.kind = ParameterKind::numbers;
+    }
+    p.get = [read](const Root& root) { return JsonLeaf(read(root)); };
+    p.set = [field](Root& root, const JsonLeaf& leaf) { field(root) = std::get<T>(leaf); };
+  }
+  return p;
+}
+
+template <Law... allowed>
+bool law_is(const Scene& scene) {
+  return ((scene.psd.law == allowed) || ...);
+}
+
+template <MethodName name>
+bool method_is(const Method& method) {
+  return method.name == name;
+}
+
+template <MetricName... allowed>
+bool metric_is(const Metric& metric) {
+  return ((metric.name == allowed) || ...);
+}
+
+std::vector<Parameter<Scene>> scene_table() {
+  constexpr auto continuous = &law_is<Law::lognormal, Law::normal, Law::weibull>;
+  constexpr Words continuous_words = "psd/law = lognormal, normal or weibull";
+  return {
+      row<Scene>(
+          "dimension", "1", {2, 3}, "Number of dimensions: 2 (discs) or 3 (spheres).",
+          [](Scene & s) -> auto& { return s.dimension; }),
+      row<Scene>(
+          "unit", "1", kAny, "Unit of every length in the scene and in its packings.",
+          [](Scene & s) -> auto& { return s.unit; }),
+      row<Scene>(
+          "size", "length", kPositive,
+          "Edges of the box, the vertical one last; one number (or a list of one) means equal edges.",
+          [](Scene & s) -> auto& { return s.size; }),
+      row<Scene>(
+          "sides", "1", kAny, "Lateral faces of the box: hard walls or periodic.",
+          [](Scene & s) -> auto& { return s.sides; }),
+      row<Scene>(
+          "count", "1", {0, 1e9}, "Number of particles; 0 means as many as fit into the box.",
+          [](Scene & s) -> auto& { return s.count; }),
+      row<Scene>(
+          "psd/law", "1", kAny, "Law of the radii (number-weighted unless psd/weighting says otherwise).",
+          [](Scene & s) -> auto& { return s.psd.law; }),
+      row<Scene>(
+          "psd/radius", "length", kPositive, "Radius of equal spheres.",
+          [](Scene & s) -> auto& { return s.psd.radius; }, "psd/law = monodisperse", &law_is<Law::monodisperse>),
+      row<Scene>(
+          "psd/mu_ln", "ln(length)", kAny, "Mean of the logarithm of the radius.",
+          [](Scene & s) -> auto& { return s.psd.mu_ln; }, "psd/law = lognormal", &law_is<Law::lognormal>),
+      row<Scene>(
+          "psd/sigma_ln", "1", kPositive, "Standard deviation of the logarithm of the radius.",
+          [](Scene & s) -> auto& { return s.psd.sigma_ln; }, "psd/law = lognormal", &law_is<Law::lognormal>),
+      row<Scene>(
+          "psd/mean", "length", kPositive,
+          "Mean radius of the uncut law; for a lognormal law instead of, or as a check on, mu_ln and sigma_ln.",
+          [](Scene & s) -> auto& { return s.psd.mean; }, "psd/law = lognormal or normal",
+          &law_is<Law::lognormal, Law::normal>),
+      row<Scene>(
+          "psd/sd", "length", kPositive, "Standard deviation of the radius of the uncut law; used as psd/mean is.",
+          [](Scene & s) -> auto& { return s.psd.sd; }, "psd/law = lognormal or normal",
+          &law_is<Law::lognormal, Law::normal>),
+      row<Scene>(
+          "psd/small_radius", "length", kPositive, "Radius R_S of the small spheres.",
+          [](Scene & s) -> auto& { return s.psd.small_radius; }, "psd/law = bimodal", &law_is<Law::bimodal>),
+      row<Scene>(
+          "psd/size_ratio", "1", {1, 1e4}, "Size ratio rho = R_L/R_S.",
+          [](Scene & s) -> auto& { return s.psd.size_ratio; }, "psd/law = bimodal", &law_is<Law::bimodal>),
+      row<Scene>(
+          "psd/large_volume_fraction", "1", kFraction,
+          "Share X_L of the large spheres in the volume (in 2D: area) of all spheres.",
+          [](Scene & s) -> auto& { return s.psd.large_volume_fraction; }, "psd/law = bimodal", &law_is<Law::bimodal>),
+      row<Scene>(
+          "psd/scale", "length", kPositive, "Scale of the Weibull (Rosin-Rammler) law.",
+          [](Scene & s) -> auto& { return s.psd.scale; }, "psd/law = weibull", &law_is<Law::weibull>),
+      row<Scene>(
+          "psd/shape", "1", kPositive, "Shape exponent of the Weibull (Rosin-Rammler) law.",
+          [](Scene & s) -> auto& { return s.psd.shape; }, "psd/law = weibull", &law_is<Law::weibull>),
+      row<Scene>(
+          "psd/weighting", "1", kAny, "Whether the law counts particles or their volume (in 2D: area).",
+          [](Scene & s) -> auto& { return s.psd.weighting; }, "psd/law = weibull or histogram",
+          &law_is<Law::weibull, Law::histogram>),
+      row<Scene>(
+          "psd/edges", "length", kNotNegative, "Edges of the size classes, increasing: one more than weights.",
+          [](Scene & s) -> auto& { return s.psd.edges; }, "psd/law = histogram", &law_is<Law::histogram>),
+      row<Scene>(
+          "psd/weights", "1", kNotNegative, "Weight of each size class; only their ratios count.",
+          [](Scene & s) -> auto& { return s.psd.weights; }, "psd/law = histogram", &law_is<Law::histogram>),
+      row<Scene>(
+          "psd/r_min", "length", kPositive, "Smallest radius: the law is cut here and renormalised.",
+          [](Scene & s) -> auto& { return s.psd.r_min; }, continuous_words, continuous),
+      row<Scene>(
+          "psd/r_max", "length", kPositive, "Largest radius: the law is cut here and renormalised.",
+          [](Scene & s) -> auto& { return s.psd.r_max; }, continuous_words, continuous),
+      row<Scene>(
+          "sampler", "1", kAny,
+          "How radii are drawn: independently, or one from each equal-probability stratum in shuffled order.",
+          [](Scene & s) -> auto& { return s.sampler; }),
+  };
+}
+
+std::vector<Parameter<Method>> method_table() {
+  constexpr auto drop = &method_is<MethodName::drop_and_roll>;
+  constexpr Words drop_words = "name = drop-and-roll";
+  return {
+      row<Method>(
+          "name", "1", kAny, "Which generator makes the packing.", [](Method & m) -> auto& { return m.name; }),
+      row<Method>(
+          "lid", "1", kAny, "A sphere must end wholly below the top of the box, else it counts as a failure.",
+          [](Method & m) -> auto& { return m.drop_and_roll.lid; }, drop_words, drop),
+      row<Method>(
+          "on_failure", "1", kAny, "After a failure: draw a new radius, or keep it for the next attempt.",
+          [](Method & m) -> auto& { return m.drop_and_roll.on_failure; }, drop_words, drop),
+      row<Method>(
+          "max_failures", "1", {1, 1e9}, "N_max: this many failures in a row end the packing.",
+          [](Method & m) -> auto& { return m.drop_and_roll.max_failures; }, drop_words, drop),
+      row<Method>(
+          "kind", "1", kAny, "Which lattice; square and hexagonal in 2D, the others in 3D.",
+          [](Method & m) -> auto& { return m.lattice.kind; }, "name = lattice", &method_is<MethodName::lattice>),
+  };
+}
+
+std::vector<Parameter<Metric>> metric_table() {
+  return {
+      row<Metric>(
+          "name", "1", kAny, "What is measured.", [](Metric & m) -> auto& { return m.name; }),
+      row<Metric>(
+          "bins", "1", {2, 1e6}, "Number K of equal bins between the law's smallest and largest radius.",
+          [](Metric & m) -> auto& { return m.bins; }, "name = hellinger", &metric_is<MetricName::hellinger>),
+      row<Metric>(
+          "inset", "1", {0, 0.5, false, true},
+          "Share of each edge of the bounding box of centres cut off at each end to get the sub-box.",
+          [](Metric & m) -> auto& { return m.inset; }, "name = phi or phi_paper",
+          &metric_is<MetricName::phi, MetricName::phi_paper>),
+      row<Metric>(
+          "contact_gap", "1", {0, 1, false, true},
+          "Largest gap that counts as a contact, relative to the smaller radius.",
+          [](Metric & m) -> auto& { return m.contact_gap; }, "name = stable_alone or coordination",
+          &metric_is<MetricName::stable_alone, MetricName::coordination>),
+  };
+}
+
+std::vector<Parameter<RunSettings>> run_table() {
+  return {
+      row<RunSettings>(
+          "wall_s", "s", kPositive, "Wall-clock time one job may take.",
+          [](RunSettings & r) -> auto& { return r.wall_s; }),
+      row<RunSettings>(
+          "memory_mb", "MB", {1, 1e9}, "Memory one job may take (1 MB = 1e6 bytes).",
+          [](RunSettings & r) -> auto& { return r.memory_mb; }),
+      row<RunSettings>(
+          "timing", "1", kAny,
+          "exclusive: each job alone on one pinned thread (the paper's protocol); shared: jobs side by side.",
+          [](RunSettings & r) -> auto& { return r.timing; }),
+  };
+}
+
+} // namespace
+
+std::string Range::words() const {
+  const bool has_low = std::isfinite(low);
+  const bool has_high = std::isfinite(high);
+  const std::string lower = fmt::format("{} {}", low_open ? "above" : "at least", low);
+  const std::string upper = fmt::format("{} {}", high_open ? "below" : "at most", high);
+  if (has_low && has_high) {
+    if (!low_open && !high_open)
+      return fmt::format("from {} to {}", low, high);
+    return lower + " and " + upper;
+  }
+  if (has_low)
+    return lower;
+  if (has_high)
+    return upper;
+  return "any number";
+}
+
+bool is_unstated(const JsonLeaf& leaf) {
+  if (const auto* number = std::get_if<double>(&leaf))
+    return std::isnan(*number);
+  if (const auto* list = std::get_if<std::vector<double>>(&leaf))
+    return list->empty();
+  return false;
+}
+
+std::span<const Parameter<Scene>> scene_parameters() {
+  static const auto table = scene_table();
+  return table;
+}
+std::span<const Parameter<Method>> method_parameters() {
+  static const auto table = method_table();
+  return table;
+}
+std::span<const Parameter<Metric>> metric_parameters() {
+  static const auto table = metric_table();
+  return table;
+}
+std::span<const Parameter<RunSettings>> run_parameters() {
+  static const auto table = run_table();
+  return table;
+}
+
+} // namespace tamp

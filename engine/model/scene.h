@@ -1,0 +1,48 @@
+// Scene: what is wanted — a powder, a box and its sides — without saying how it is made.
+#pragma once
+
+#include "engine/model/enum_names.h"
+#include "engine/model/psd.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tamp {
+
+enum class Sides { walls, periodic };
+template <>
+struct EnumNames<Sides> {
+  static constexpr std::array<std::string_view, 2> value{"walls", "periodic"};
+};
+
+enum class LengthUnit { nm, um, mm, m };
+template <>
+struct EnumNames<LengthUnit> {
+  static constexpr std::array<std::string_view, 4> value{"nm", "um", "mm", "m"};
+};
+
+/// All lengths are numbers in `unit`; nothing in the engine depends on which unit that is.
+struct Scene {
+  std::int64_t dimension = 3;       ///< 2 or 3
+  LengthUnit unit = LengthUnit::um; ///< of every length of the scene and of its packings
+  std::vector<double> size;         ///< box edges; one number means equal edges. The last axis is vertical.
+  Sides sides = Sides::walls;       ///< of the lateral axes; the floor is always a wall
+  std::int64_t count = 0;           ///< number of particles; 0: as many as fit
+  Psd psd;
+  Sampler sampler = Sampler::random;
+};
+
+/// One impossible value: the path of the parameter inside its root, and what is wrong with it.
+struct Problem {
+  std::string path;
+  std::string message;
+};
+
+/// The scene in its one canonical form: `size` has `dimension` numbers, the law its own parameters.
+Scene completed(Scene scene);
+
+/// Everything impossible about the values of a completed scene taken together; empty when it can be built.
+std::vector<Problem> problems(const Scene& scene);
+
+} // namespace tamp
