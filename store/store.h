@@ -26,7 +26,7 @@ struct StoredCampaign {
   std::string name;
   std::string title;
   std::string file;
-  std::string settings; ///< JSON: {"metrics":[…],"report":{…},"run":{…}}, see campaign_settings.h
+  std::string settings; ///< JSON: {"metrics":[…],"report":{…},"run":{…}}, the parameters as in a campaign file
 };
 
 /// One generation job of a stored campaign, whether it has run or not.
