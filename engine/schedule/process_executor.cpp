@@ -1,0 +1,101 @@
+// Starts `tamp job` (or whatever it is told to) under the limits of a job and judges how it ended.
+#include "engine/schedule/process_executor.h"
+
+#include "engine/base/error.h"
+#include "engine/base/host.h"
+
+#include <fmt/format.h>
+
+#include <csignal>
+#include <cstring>
+#include <utility>
+
+namespace tamp {
+
+namespace {
+
+std::string signal_name(int signal) {
+  const char* name = sigabbrev_np(signal);
+  return name != nullptr ? fmt::format("SIG{}", name) : fmt::format("number {}", signal);
+}
+
+std::string with_tail(std::string reason, const std::string& log_tail) {
+  const auto last = log_tail.find_last_not_of(" \n\t");
+  if (last == std::string::npos)
+    return reason;
+  return fmt::format("{}; its last words:\n{}", reason, log_tail.substr(0, last + 1));
+}
+
+} // namespace
+
+ProcessExecutor::ProcessExecutor(std::function<ChildJob(const Task&)> prepare, Provenance origin)
+    : prepare_(std::move(prepare)), origin_(std::move(origin)) {}
+
+std::optional<Record> ProcessExecutor::run(const Task& task, std::optional<int> core, std::stop_token stop) {
+  const ChildJob child = prepare_(task);
+  const std::string start = utc_now();
+  const ProcessResult result =
+      run_process({.argv = child.argv,
+                   .log = child.log,
+                   .limits = {.wall_s = task.run.wall_s, .memory_bytes = memory_bytes(task.run)},
+                   .core = core},
+                  std::move(stop));
+
+  std::optional<Record> record = child.collect(); // whole if there is one at all, so it counts however the child ended
+  if (!record) {
+    if (result.end == ProcessResult::End::cancelled)
+      return std::nullopt;
+    const Verdict verdict = judge_child(result, task.run);
+    record = blank_record(task.planned, origin_);
+    record->outcome = verdict.outcome;
+    record->reason = verdict.reason;
+    record->provenance.start_utc = start;
+    record->provenance.end_utc = utc_now();
+  } else if (record->key != task.planned.key) {
+    throw Error(fmt::format("the child that ran job {} left the record of job {}", task.planned.key, record->key));
+  }
+  record->timing.mode = core ? TimingMode::exclusive : TimingMode::shared;
+  record->timing.process_wall_s = result.wall_s;
+  record->timing.process_cpu_s = result.cpu_s;
+  record->timing.peak_rss_bytes = result.peak_rss_bytes;
+  return record;
+}
+
+Verdict judge_child(const ProcessResult& result, const RunSettings& run) {
+  using End = ProcessResult::End;
+  const auto no_memory = [&](std::string_view how) {
+    return Verdict{Outcome::memory_limited, fmt::format("{} (budget {} MB)", how, run.memory_mb)};
+  };
+  switch (result.end) {
+  case End::wall_limit:
+    return {Outcome::time_limited, fmt::format("not done after {:g} s, the budget of the job", run.wall_s)};
+  case End::cpu_limit:
+    return {Outcome::time_limited, fmt::format("used up its CPU time of {:g} s", result.cpu_s)};
+  case End::signalled:
+    if (result.code == SIGKILL) // nobody else sends it in the ordinary course of things
+      return no_memory("killed by SIGKILL, as the kernel does when memory runs out");
+    return {Outcome::failed, with_tail("ended by signal " + signal_name(result.code), result.log_tail)};
+  case End::exited:
+    if (result.code == kExitOutOfMemory)
+      return no_memory("ran out of memory");
+    return {Outcome::failed,
+            with_tail(fmt::format("left no record and exited with code {}", result.code), result.log_tail)};
+  case End::cancelled:
+    break;
+  }
+  return {Outcome::failed, "cancelled"};
+}
+
+Record blank_record(const PlannedJob& planned, const Provenance& origin) {
+  Record record;
+  record.key = planned.key;
+  record.kind = JobKind::generation;
+  record.name = name_of(planned.job.method.name);
+  record.revision = info(planned.job.method.name).revision;
+  record.canonical = canonical(planned.job);
+  record.parent = planned.job.parent;
+  record.provenance = origin;
+  return record;
+}
+
+} // namespace tamp
