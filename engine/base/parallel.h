@@ -31,6 +31,16 @@ void parallel_for(std::size_t n, F&& f) {
                             });
 }
 
+/// Calls f(i) for every i in [0, n), each call being work enough for a task of its own. f must write only to places of
+/// its own i.
+template <class F>
+void parallel_tasks(std::size_t n, F&& f) {
+  if (n == 1)
+    f(std::size_t{0});
+  else
+    oneapi::tbb::parallel_for(std::size_t{0}, n, f);
+}
+
 /// Sum of f(i) over [0, n): blocks of fixed size summed in order, then the block sums in order,
 /// so the result has the same bits on any number of threads. T needs `T{}` and `+=`.
 template <class T, class F>
