@@ -27,6 +27,8 @@ herr_t keep_innermost(unsigned, const H5E_error2_t* entry, void* text) {
 H5Session::H5Session(std::string what, const std::filesystem::path& path)
     : what_(std::move(what)), path_(path.string()) {
   library_mutex().lock();
+  // Every file is closed by its owner. HDF5's own cleaning up at exit would complain about what damaged files left.
+  [[maybe_unused]] static const herr_t no_cleaning_up = H5dont_atexit();
   H5Eget_auto2(H5E_DEFAULT, &printer_, &printer_data_);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }

@@ -20,6 +20,8 @@ public:
     const auto access = h5_.handle(H5Pcreate(H5P_FILE_ACCESS), "setting up");
     // Packings never change once they have their name; locks would only fail on network folders.
     h5_.check(H5Pset_file_locking(access, false, true), "switching off locks");
+    // A damaged file can make HDF5 lose track of its own objects; closing must close them too.
+    h5_.check(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG), "setting up");
     file_ = h5_.handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), "opening it as HDF5");
     version_ = integer_attribute("/h5md", "version");
     if (version_ != 1)

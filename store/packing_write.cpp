@@ -153,27 +153,33 @@ void write_parameters(const Writer& out, const Packing& packing, const PackingLa
   out.text(ours, "canonical", label.canonical);
 }
 
+/// Writes all of `temporary`, which is to become `path`.
+void write_whole(const fs::path& temporary, const fs::path& path, const Packing& packing, const PackingLabel& label) {
+  const H5Session session("write the packing", path);
+  if (packing.dimension != 2 && packing.dimension != 3)
+    session.fail("it has " + std::to_string(packing.dimension) + " dimensions; allowed: 2 or 3");
+  if (packing.positions.size() != packing.count() * static_cast<std::size_t>(packing.dimension)) {
+    session.fail("it has " + std::to_string(packing.positions.size()) + " coordinates for " +
+                 std::to_string(packing.count()) + " spheres");
+  }
+  Writer out(session, temporary);
+  write_header(out, label);
+  write_particles(out, packing);
+  write_parameters(out, packing, label);
+  out.close();
+}
+
 } // namespace
 
 void write_packing(const fs::path& path, const Packing& packing, const PackingLabel& label) {
   const fs::path temporary = temporary_name(path);
   try {
-    const H5Session session("write", path);
-    if (packing.dimension != 2 && packing.dimension != 3)
-      session.fail("a packing has 2 or 3 dimensions, not " + std::to_string(packing.dimension));
-    if (packing.positions.size() != packing.count() * static_cast<std::size_t>(packing.dimension))
-      session.fail("the packing has " + std::to_string(packing.positions.size()) + " coordinates for " +
-                   std::to_string(packing.count()) + " spheres");
-    Writer out(session, temporary);
-    write_header(out, label);
-    write_particles(out, packing);
-    write_parameters(out, packing, label);
-    out.close();
+    write_whole(temporary, path, packing, label);
+    publish(temporary, path);
   } catch (...) {
     ::unlink(temporary.c_str());
     throw;
   }
-  publish(temporary, path);
 }
 
 } // namespace tamp

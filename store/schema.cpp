@@ -13,6 +13,7 @@ namespace tamp {
 namespace {
 
 constexpr int busy_timeout_ms = 30'000;
+constexpr int cache_kib = 64 * 1024; // holds the indexes of some hundred thousand keys
 
 // A job is what its key names, once; each run of it is an attempt; measures and effects belong to the attempt.
 // campaign_jobs has no foreign key to jobs, as a campaign names its jobs before they have run.
@@ -33,6 +34,7 @@ CREATE TABLE jobs (
   key TEXT NOT NULL UNIQUE, kind TEXT NOT NULL, name TEXT NOT NULL, revision INTEGER NOT NULL,
   canonical TEXT NOT NULL, parent TEXT NOT NULL
 ) STRICT;
+CREATE INDEX kinds_of_keys ON jobs (key, kind); -- lists keys without reading the long canonical texts
 CREATE INDEX jobs_of_parent ON jobs (parent, kind);
 CREATE TABLE attempts (
   id INTEGER PRIMARY KEY AUTOINCREMENT,
@@ -114,7 +116,7 @@ SQLite::Database open_database(const std::filesystem::path& file, bool writable)
   }
   const int flags = writable ? SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE : SQLite::OPEN_READONLY;
   SQLite::Database database(file.string(), flags, busy_timeout_ms);
-  database.exec("PRAGMA foreign_keys = ON");
+  database.exec(fmt::format("PRAGMA foreign_keys = ON; PRAGMA cache_size = -{}", cache_kib));
   if (writable) {
     bring_up_to_date(database, schema_steps());
     // FULL: a record outlives a loss of power once put() has returned; the packing was synced before it.

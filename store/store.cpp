@@ -83,14 +83,13 @@ std::optional<Outcome> Store::outcome(std::string_view key) const {
 std::map<std::string, Outcome> Store::outcomes(std::optional<JobKind> kind) const {
   return with_statements(*parts_, [&](Statements& statements) {
     std::map<std::string, Outcome> found;
-    // SQLite takes the other columns of a max() from the row of the maximum.
     Query row(statements,
-              "SELECT key, outcome, max(attempts.id) FROM jobs JOIN attempts ON attempts.job = jobs.id "
-              "WHERE kind LIKE ? GROUP BY jobs.id",
+              "SELECT key, (SELECT outcome FROM attempts WHERE job = jobs.id ORDER BY attempts.id DESC LIMIT 1) "
+              "FROM jobs WHERE kind LIKE ? ORDER BY key",
               kind_or_any(kind));
     while (row.step()) {
       if (const auto known = enum_of<Outcome>(row.text(1)))
-        found.emplace(row.text(0), *known);
+        found.emplace_hint(found.end(), row.text(0), *known);
     }
     return found;
   });
