@@ -1,0 +1,62 @@
+// Reads a campaign file: parse, read, expand, and stop at once with every mistake found.
+#include "campaigns/campaign.h"
+
+#include "campaigns/campaign_file.h"
+#include "campaigns/expand.h"
+#include "campaigns/json_document.h"
+#include "campaigns/nearest.h"
+#include "engine/base/error.h"
+#include "engine/base/files.h"
+
+#include <algorithm>
+#include <system_error>
+
+namespace tamp {
+
+namespace {
+
+/// "; nearest: …" if the folder has a JSON file of a similar name.
+std::string similar_file(const std::filesystem::path& file) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    if (entry.path().extension() == ".json" && entry.path() != file)
+      names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  const std::string found = nearest(file.filename().string(), names);
+  return found.empty() ? "" : "\n  nearest: " + (file.parent_path() / found).string();
+}
+
+} // namespace
+
+Plan read_campaign(std::string_view text, const std::filesystem::path& file) {
+  Mistakes mistakes(file.string(), text);
+  JsonDocument document;
+  try {
+    document = parse_json(text);
+  } catch (const JsonSyntaxError& error) {
+    mistakes.add({{error.pointer, error.offset}, error.what(), "", ""});
+  }
+  mistakes.throw_if_any();
+
+  CampaignFile read = read_campaign_file(document, file.parent_path(), mistakes);
+  Plan plan{read.campaign, read.title, file.string(), read.run, read.report, read.metrics, expand(read, mistakes)};
+  mistakes.throw_if_any();
+  return plan;
+}
+
+Plan load_campaign(const std::filesystem::path& file) {
+  std::string text;
+  if (!std::filesystem::is_regular_file(file))
+    throw InputError(file.string() + ": there is no such file" + similar_file(file));
+  try {
+    text = read_file(file);
+  } catch (const Error& error) {
+    throw InputError(error.what());
+  }
+  return read_campaign(text, file);
+}
+
+} // namespace tamp

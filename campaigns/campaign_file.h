@@ -1,0 +1,105 @@
+// A campaign file as read: every statement with its place, before sweeps are multiplied out.
+#pragma once
+
+#include "campaigns/histogram_file.h"
+#include "campaigns/mistakes.h"
+#include "campaigns/rules.h"
+#include "engine/model/plan.h"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tamp {
+
+/// One value given to one parameter.
+struct Statement {
+  std::string path;                           ///< with its root: "scene/psd/mu_ln", "method/lid", "replicates"
+  std::optional<JsonLeaf> leaf;               ///< nothing if the value is wrong, which has been told
+  std::shared_ptr<const MeasuredSizes> sizes; ///< instead of the leaf for scene/psd/file
+  std::string words;                          ///< the value for listings
+  Place place;
+  std::size_t group = 0; ///< of CampaignFile::groups
+
+  [[nodiscard]] bool valid() const { return leaf.has_value() || sizes != nullptr; }
+};
+
+/// Statements of which at least one must count somewhere, or they are a mistake: a value of the scene, or the whole
+/// list of a swept path.
+struct StatementGroup {
+  std::string path;
+  Place place;
+};
+
+/// Values that hold together at one point of an axis, and the axis as the list of its points.
+struct Step {
+  Place place;
+  std::vector<Statement> statements;
+};
+using Axis = std::vector<Step>;
+
+/// Axes that multiply, the first varying slowest.
+struct SweepBlock {
+  Place place;
+  std::vector<Axis> axes;
+};
+
+struct MethodEntry {
+  Method method;
+  std::string label;
+};
+
+struct CampaignFile {
+  std::string campaign;
+  std::string title;
+  RunSettings run;
+  ReportSettings report;
+  std::vector<Metric> metrics;
+  std::vector<MethodEntry> methods;
+  Repeats repeats;
+  std::vector<Statement> scene;
+  std::vector<SweepBlock> sweep; ///< blocks are joined; none: the scene alone
+  std::vector<StatementGroup> groups;
+  std::map<std::string, std::size_t> objects; ///< byte offset of "scene" and "scene/psd", where missing values belong
+  std::set<std::string> doubtful;             ///< scene paths that misspelt keys probably mean
+  bool whole = true; ///< false if scene, methods or sweep were not understood, so that expansion would only find echoes
+};
+
+/// What the readers of the parts of a file share.
+struct Reading {
+  CampaignFile& file;
+  Mistakes& mistakes;
+  std::filesystem::path folder; ///< of the campaign file
+};
+
+/// The readers of the parts; each tells its mistakes and goes on.
+void read_scene(const JsonNode& node, Reading& reading);
+void read_methods(const JsonNode& node, Reading& reading);
+void read_metrics(const JsonNode& node, Reading& reading);
+void read_sweep(const JsonNode& node, Reading& reading);
+
+/// Reads a whole document; what it lacks takes its default.
+CampaignFile read_campaign_file(const JsonDocument& document, const std::filesystem::path& folder, Mistakes& mistakes);
+
+/// One value for `path`, which must be sweepable.
+Statement read_statement(const std::string& path, const JsonNode& node, const std::string& pointer, std::size_t group,
+                         Reading& reading);
+
+/// Adds a group and returns its number.
+std::size_t add_group(const std::string& path, Place place, CampaignFile& file);
+
+/// Whether the node is of the kind due ("an object", …); if not, a mistake.
+bool expect_kind(const JsonNode& node, JsonNode::Kind kind, std::string_view due, const std::string& pointer,
+                 Mistakes& mistakes);
+
+/// Tells of an unknown key; returns the nearest known word, which may be empty. `listed` are the keys that could stand
+/// there, `elsewhere` known paths of other places.
+std::string unknown_key(const JsonMember& member, const std::string& pointer, std::span<const std::string> listed,
+                        std::span<const std::string> elsewhere, Mistakes& mistakes);
+
+} // namespace tamp

@@ -1,0 +1,250 @@
+// Multiplies sweeps out and joins points, methods and replicates into jobs.
+#include "campaigns/expand.h"
+
+#include "campaigns/json_document.h"
+#include "campaigns/point.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_set>
+
+namespace tamp {
+
+namespace {
+
+const Statement* find_statement(const SweepPoint& point, std::string_view path) {
+  for (const Step* step : point.steps) {
+    for (const Statement& statement : step->statements) {
+      if (statement.path == path)
+        return &statement;
+    }
+  }
+  return nullptr;
+}
+
+/// Number of points, or nothing if there are more than kMostJobs.
+std::optional<std::size_t> count_points(const std::vector<SweepBlock>& sweep) {
+  std::size_t sum = 0;
+  for (const SweepBlock& block : sweep) {
+    std::size_t product = 1;
+    for (const Axis& axis : block.axes) {
+      product *= axis.size(); // both factors are far below 2^32
+      if (product > kMostJobs)
+        return std::nullopt;
+    }
+    sum += product;
+    if (sum > kMostJobs)
+      return std::nullopt;
+  }
+  return sum;
+}
+
+/// All points, the first axis varying slowest.
+std::vector<SweepPoint> points_of(const std::vector<SweepBlock>& sweep) {
+  if (sweep.empty())
+    return {SweepPoint{}};
+  std::vector<SweepPoint> points;
+  for (const SweepBlock& block : sweep) {
+    std::vector<SweepPoint> partial = {SweepPoint{{}, &block}};
+    for (const Axis& axis : block.axes) {
+      std::vector<SweepPoint> longer;
+      for (const SweepPoint& point : partial) {
+        for (const Step& step : axis) {
+          longer.push_back(point);
+          longer.back().steps.push_back(&step);
+        }
+      }
+      partial = std::move(longer);
+    }
+    points.insert(points.end(), partial.begin(), partial.end());
+  }
+  return points;
+}
+
+class Expander {
+public:
+  Expander(const CampaignFile& file, Mistakes& mistakes)
+      : file_(file), mistakes_(mistakes), counted_(file.groups.size(), false) {}
+
+  std::vector<PlannedJob> expand() {
+    if (!file_.whole)
+      return {};
+    if (!count_points(file_.sweep)) {
+      too_many("points");
+      return {};
+    }
+    const auto points = points_of(file_.sweep);
+    std::vector<Scene> scenes;
+    std::vector<std::vector<SceneProblem>> problems;
+    for (const SweepPoint& point : points) {
+      auto at = scene_at(file_, point, counted_);
+      scenes.push_back(std::move(at.scene));
+      problems.push_back(std::move(at.problems));
+      count_methods(point);
+    }
+    tell_problems(points, problems);
+    tell_uncounted();
+    if (mistakes_.count() > 0)
+      return {};
+    for (std::size_t i = 0; i < points.size() && mistakes_.count() == 0; ++i)
+      add_jobs(points[i], scenes[i]);
+    return std::move(jobs_);
+  }
+
+private:
+  void too_many(std::string_view what) {
+    const std::size_t offset = file_.sweep.empty() ? 0 : file_.sweep.front().place.offset;
+    mistakes_.add({{file_.sweep.empty() ? "/replicates" : "/sweep", offset},
+                   fmt::format("the campaign expands into more than {} {}", kMostJobs, what),
+                   fmt::format("at most {}", kMostJobs),
+                   ""});
+  }
+
+  /// Marks the swept values that count for some method, or for the point as a whole.
+  void count_methods(const SweepPoint& point) {
+    for (const Step* step : point.steps) {
+      for (const Statement& statement : step->statements) {
+        const auto counts = [&](const MethodEntry& entry) { return method_row(statement, entry.method) != nullptr; };
+        if (find_row(repeat_parameters(), statement.path) != nullptr ||
+            std::any_of(file_.methods.begin(), file_.methods.end(), counts))
+          counted_[statement.group] = true;
+      }
+    }
+  }
+
+  /// The row of a "method/…" statement if this method has it.
+  static const Parameter<Method>* method_row(const Statement& statement, const Method& method) {
+    constexpr std::string_view root = "method/";
+    if (statement.path.rfind(root, 0) != 0)
+      return nullptr;
+    const auto* row = find_row(method_parameters(), std::string_view(statement.path).substr(root.size()));
+    return row != nullptr && row->applies(method) ? row : nullptr;
+  }
+
+  /// Where to point for a problem whose own value the sweep does not state: at the step that varies the scene, or at
+  /// the whole block if several do.
+  static Place sweep_place(const SweepPoint& point) {
+    std::vector<const Step*> of_scene;
+    for (const Step* step : point.steps) {
+      const auto& list = step->statements;
+      if (std::any_of(list.begin(), list.end(), [](const auto& s) { return s.path.rfind("scene/", 0) == 0; }))
+        of_scene.push_back(step);
+    }
+    return of_scene.size() == 1 ? of_scene.front()->place : point.block->place;
+  }
+
+  /// Where the base scene states a value, or would.
+  [[nodiscard]] Place base_place(const SceneProblem& problem) const {
+    if (problem.culprit != nullptr)
+      return problem.culprit->place;
+    Place place;
+    for (const auto& [object, offset] : file_.objects) { // "scene" before "scene/psd": the deeper one wins
+      if (problem.path.rfind(object, 0) == 0)
+        place.offset = offset;
+    }
+    place.pointer = "/" + problem.path;
+    return place;
+  }
+
+  /// A problem of every point belongs to the base scene; others to the sweep, told once for each place.
+  void tell_problems(const std::vector<SweepPoint>& points, const std::vector<std::vector<SceneProblem>>& problems) {
+    std::map<std::string, std::size_t> frequency;
+    for (const auto& list : problems) {
+      std::set<std::string> paths;
+      for (const SceneProblem& problem : list)
+        paths.insert(problem.path);
+      for (const std::string& path : paths)
+        ++frequency[path];
+    }
+    std::set<std::string> told;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      for (const SceneProblem& problem : problems[i]) {
+        const bool base = !problem.swept && frequency[problem.path] == points.size();
+        const Place place = base || problem.swept ? base_place(problem) : sweep_place(points[i]);
+        // In the base scene two problems of one value at one point both count; elsewhere one for each place suffices.
+        const bool again = !told.insert(place.pointer + ' ' + problem.path + (base ? problem.what : "")).second;
+        if (again || (base && i > 0))
+          continue;
+        std::string what = problem.what;
+        if (!base)
+          what = fmt::format("{} (at the point {})", what, point_words(points[i]));
+        mistakes_.add({place, what, problem.allowed, ""});
+      }
+    }
+  }
+
+  void tell_uncounted() {
+    std::set<std::string> names;
+    for (const MethodEntry& entry : file_.methods)
+      names.insert(std::string(name_of(entry.method.name)));
+    for (std::size_t i = 0; i < counted_.size(); ++i) {
+      if (counted_[i])
+        continue;
+      const auto& [path, place] = file_.groups[i];
+      const auto rule = sweep_rule(path);
+      const std::string_view when = rule ? rule->when : std::string_view("psd/law = histogram");
+      const bool of_method = path.rfind("method/", 0) == 0;
+      mistakes_.add({place,
+                     of_method ? fmt::format("\"{}\" fits none of the methods ({})", path, fmt::join(names, ", "))
+                               : fmt::format("\"{}\" counts nowhere here", path.substr(path.rfind('/') + 1)),
+                     fmt::format("only where {}", when), ""});
+    }
+  }
+
+  void add_jobs(const SweepPoint& point, const Scene& scene) {
+    Repeats repeats = file_.repeats;
+    for (const auto& row : repeat_parameters()) {
+      if (const Statement* statement = find_statement(point, row.path))
+        row.set(repeats, *statement->leaf);
+    }
+    std::map<std::string, std::string> of_point;
+    for (const Step* step : point.steps) {
+      for (const Statement& statement : step->statements) {
+        if (statement.path.rfind("method/", 0) != 0 && statement.path != "replicates")
+          of_point[statement.path] = statement.words;
+      }
+    }
+    for (const MethodEntry& entry : file_.methods) {
+      PlannedJob planned;
+      planned.job = {scene, entry.method, repeats.seed, 0, ""};
+      planned.label = entry.label;
+      planned.point = of_point;
+      for (const Step* step : point.steps) {
+        for (const Statement& statement : step->statements) {
+          if (const auto* row = method_row(statement, entry.method)) {
+            row->set(planned.job.method, *statement.leaf);
+            planned.point[statement.path] = statement.words;
+          }
+        }
+      }
+      for (std::int64_t i = 0; i < repeats.replicates; ++i) {
+        planned.job.replicate = i;
+        planned.key = job_key(planned.job);
+        if (keys_.insert(planned.key).second)
+          jobs_.push_back(planned);
+        if (jobs_.size() > kMostJobs) {
+          too_many("jobs");
+          return;
+        }
+      }
+    }
+  }
+
+  const CampaignFile& file_;
+  Mistakes& mistakes_;
+  std::vector<bool> counted_; ///< of each group
+  std::vector<PlannedJob> jobs_;
+  std::unordered_set<std::string> keys_; ///< asked only whether it holds a key; its order decides nothing
+};
+
+} // namespace
+
+std::vector<PlannedJob> expand(const CampaignFile& file, Mistakes& mistakes) {
+  auto jobs = Expander(file, mistakes).expand();
+  if (mistakes.count() > 0)
+    jobs.clear();
+  return jobs;
+}
+
+} // namespace tamp
