@@ -16,7 +16,8 @@ using Json = nlohmann::json;
 
 /// The parameters of the metric of a record, without its revision: the form in which a campaign lists its metrics.
 Json metric_of(const Record& record) {
-  Json metric = Json::parse(record.canonical).at("metric");
+  const Json document = Json::parse(record.canonical, nullptr, false);
+  Json metric = document.is_object() ? document.value("metric", Json::object()) : Json::object();
   metric.erase("revision");
   return metric;
 }
@@ -96,7 +97,8 @@ std::vector<ResultRow> results(const Store& store, std::string_view campaign) {
   if (campaign.empty()) {
     for (const std::string& key : store.keys_without_campaign()) {
       const auto record = store.find(key);
-      const std::int64_t replicate = Json::parse(record->canonical).value("replicate", std::int64_t{0});
+      const Json document = Json::parse(record->canonical, nullptr, false);
+      const std::int64_t replicate = document.is_object() ? document.value("replicate", std::int64_t{0}) : 0;
       add_row(store, {"", key, record->name, replicate, {}}, Json(), rows);
     }
   }

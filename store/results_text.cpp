@@ -13,8 +13,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// The canonical scene; empty for a record made by hand without one.
 Json scene_of(const ResultRow& row) {
-  return Json::parse(row.generation.canonical).at("scene");
+  const Json document = Json::parse(row.generation.canonical, nullptr, false);
+  return document.is_object() ? document.value("scene", Json::object()) : Json::object();
 }
 
 Json json_of(const ResultRow& row) {

@@ -113,6 +113,23 @@ TEST_CASE("without a campaign all are listed, and jobs of none at the end") {
   CHECK(results_json({}) == "[]\n");
 }
 
+TEST_CASE("a record whose canonical text is no JSON is listed all the same") {
+  const ScratchFolder folder;
+  Store store = Store::open(folder / "s", Store::Mode::create);
+  Record odd = example_record(0);
+  odd.canonical = "?";
+  store.put(odd);
+  Record metric = example_metric_record({}, odd.key, {{"phi", 0.5, "1"}});
+  metric.canonical = "[]";
+  store.put(metric);
+  const auto rows = results(store, "");
+  REQUIRE(rows.size() == 1);
+  CHECK(rows[0].measures.back().name == "phi");
+  const json list = json::parse(results_json(rows));
+  CHECK(list[0]["scene"] == json::object());
+  CHECK_THAT(results_csv(rows), Contains(odd.key));
+}
+
 TEST_CASE("results as CSV spread scenes and measures over columns") {
   const ScratchFolder folder;
   const Store store = example_store(folder);
