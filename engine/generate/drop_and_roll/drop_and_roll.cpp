@@ -1,0 +1,175 @@
+// The outer loop of drop-and-roll: draw, drop, keep or fail, until nothing more fits.
+#include "engine/generate/drop_and_roll/drop_and_roll.h"
+
+#include "engine/base/random.h"
+#include "engine/generate/drop_and_roll/descent.h"
+#include "engine/generate/radius_sampler.h"
+#include "engine/model/size_law.h"
+#include "engine/search/hierarchical_grid.h"
+#include "engine/search/skyline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace tamp {
+
+namespace {
+
+/// Density assumed where the number of spheres must be guessed before they are drawn; it sizes cells and strata only.
+constexpr double kGuessedPhi = 0.6;
+
+/// Placed spheres between two calls of the progress function.
+constexpr std::size_t kProgressStride = 4096;
+
+double expected_count(const Scene& scene, const SizeLaw& law) {
+  if (scene.count > 0)
+    return static_cast<double>(scene.count);
+  double box = 1;
+  for (const double edge : scene.size)
+    box *= edge;
+  const auto d = static_cast<int>(scene.dimension);
+  const double sphere = (d == 2 ? std::numbers::pi : 4 * std::numbers::pi / 3) * law.moment(d);
+  return std::max(1.0, kGuessedPhi * box / sphere);
+}
+
+/// Size classes by factors of two from the largest radius of the law down to its smallest.
+std::vector<SizeClass> size_classes(const SizeLaw& law, double expected) {
+  std::vector<SizeClass> classes;
+  for (double top = law.largest(); top >= law.smallest(); top /= 2) {
+    const double share = law.cdf(top) - law.cdf(top / 2);
+    classes.push_back({top, expected * share});
+  }
+  return classes;
+}
+
+template <int D>
+class DropAndRollRun {
+public:
+  DropAndRollRun(const Job& job, std::string_view key)
+      : job_(job), law_(job.scene.psd, D), expected_(expected_count(job.scene, law_)),
+        size_(Eigen::Map<const Vec<D>>(job.scene.size.data())), periodic_(lateral(job.scene.sides == Sides::periodic)),
+        grid_(size_, periodic_, size_classes(law_, expected_)),
+        skyline_(size_, periodic_, std::pow(expected_, (D - 1.0) / D)), descent_(size_, periodic_, grid_),
+        radii_(law_, job.scene.sampler, static_cast<std::uint64_t>(std::ceil(expected_)),
+               RandomStream(key, static_cast<std::uint64_t>(Stream::radii))),
+        positions_(key, static_cast<std::uint64_t>(Stream::positions)) {}
+
+  Generated run(const Progress& progress) {
+    const DropAndRoll& method = job_.method.drop_and_roll;
+    const auto wanted = static_cast<std::size_t>(job_.scene.count);
+    std::int64_t failures_in_row = 0;
+    double radius = radii_.next();
+    while (failures_in_row < method.max_failures && (wanted == 0 || placed() < wanted)) {
+      ++attempts_;
+      if (drop(radius)) {
+        failures_in_row = 0;
+        radius = radii_.next();
+        if (progress && placed() % kProgressStride == 0)
+          progress(placed());
+      } else {
+        ++failures_in_row;
+        ++failures_;
+        if (method.on_failure == OnFailure::redraw)
+          radius = radii_.next();
+      }
+    }
+    return result(wanted);
+  }
+
+private:
+  static std::array<bool, D> lateral(bool periodic) {
+    std::array<bool, D> flags{};
+    for (int a = 0; a < D - 1; ++a)
+      flags[static_cast<std::size_t>(a)] = periodic;
+    return flags;
+  }
+
+  [[nodiscard]] std::size_t placed() const { return packing_.radii.size(); }
+
+  /// One attempt: true if the sphere came to rest inside the box.
+  bool drop(double radius) {
+    Vec<D> p = Vec<D>::Zero();
+    for (int a = 0; a < D - 1; ++a) {
+      const double u = positions_.uniform();
+      p[a] = periodic_[static_cast<std::size_t>(a)] ? u * size_[a] : radius + u * (size_[a] - 2 * radius);
+    }
+    p[vertical<D>] = skyline_.above(p, radius) + radius;
+    if (descent_.run(p, radius) == Descent<D>::End::unresolved) {
+      ++unresolved_;
+      return false;
+    }
+    if (job_.method.drop_and_roll.lid && p[vertical<D>] + radius > size_[vertical<D>])
+      return false;
+    place(p, radius);
+    return true;
+  }
+
+  void place(Vec<D>& p, double radius) {
+    for (int a = 0; a < D - 1; ++a) {
+      if (periodic_[static_cast<std::size_t>(a)])
+        p[a] -= std::floor(p[a] / size_[a]) * size_[a];
+    }
+    grid_.insert(p, radius);
+    skyline_.raise(p, radius);
+    packing_.positions.insert(packing_.positions.end(), p.data(), p.data() + D);
+    packing_.radii.push_back(radius);
+  }
+
+  Generated result(std::size_t wanted) {
+    Generated out;
+    packing_.dimension = D;
+    packing_.unit = job_.scene.unit;
+    for (int a = 0; a < D; ++a) {
+      const auto n = static_cast<std::size_t>(a);
+      packing_.size[n] = size_[a];
+      packing_.boundary[n] = periodic_[n] ? Boundary::periodic : Boundary::wall;
+    }
+    if (!job_.method.drop_and_roll.lid)
+      packing_.boundary[static_cast<std::size_t>(vertical<D>)] = Boundary::open;
+    if (placed() < wanted) {
+      out.outcome = Outcome::did_not_converge;
+      out.reason = fmt::format("the box was full at {} of {} spheres ({} failures in a row)", placed(), wanted,
+                               job_.method.drop_and_roll.max_failures);
+    }
+    const auto count = [](std::uint64_t n) { return static_cast<double>(n); };
+    out.measures = {{"N", count(placed()), "1"},
+                    {"attempts", count(attempts_), "1"},
+                    {"failures", count(failures_), "1"},
+                    {"unresolved", count(unresolved_), "1"},
+                    {"events", count(descent_.events()), "1"}};
+    out.effects.simulated = {"gravity (quasi-static steepest descent)", "hard contacts"};
+    out.effects.left_out = {{"inertia", "drop-and-roll is quasi-static: a sphere has no velocity to keep"},
+                            {"friction", "contacts are smooth: only the normal direction is blocked"},
+                            {"adhesion", "contacts do not pull"},
+                            {"response of the bed", "placed spheres do not move"}};
+    out.packing = std::move(packing_);
+    return out;
+  }
+
+  const Job& job_;
+  SizeLaw law_;
+  double expected_;
+  Vec<D> size_;
+  std::array<bool, D> periodic_;
+  HierarchicalGrid<D> grid_;
+  Skyline<D> skyline_;
+  Descent<D> descent_;
+  RadiusSampler radii_;
+  RandomStream positions_;
+  Packing packing_;
+  std::uint64_t attempts_ = 0;
+  std::uint64_t failures_ = 0;
+  std::uint64_t unresolved_ = 0;
+};
+
+} // namespace
+
+Generated generate_drop_and_roll(const Job& job, std::string_view key, const Progress& progress) {
+  return with_dimension(job.scene.dimension, [&](auto d) { return DropAndRollRun<d>(job, key).run(progress); });
+}
+
+} // namespace tamp
