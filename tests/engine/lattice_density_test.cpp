@@ -55,9 +55,8 @@ double error_constant(const Row& row, MetricName metric) {
 } // namespace
 
 // The sub-box cuts the outermost layers at arbitrary heights, which costs each estimator a share of a surface layer:
-// the error is at most C radii / edge and swings below that bound. Measured over all edges from 10 to 80 radii in steps
-// of 3.7: C = 0.11 (hexagonal, fcc) to 0.90 (sc) exact, always negative on the whole and 2.3 to 3.3 by the paper's
-// estimator.
+// the error is at most C radii / edge and swings below that bound. Measured over edges from 10 to 80 radii: C = 0.11
+// (hexagonal) to 0.90 (sc) for phi, of either sign; 2.3 to 3.3 for phi_paper, nearly always low.
 TEST_CASE("both estimators converge to the density of a lattice as one over the edge") {
   for (const Row& row : kRows) {
     CAPTURE(name_of(row.kind));
