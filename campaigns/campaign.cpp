@@ -49,7 +49,8 @@ Plan read_campaign(std::string_view text, const std::filesystem::path& file) {
 
 Plan load_campaign(const std::filesystem::path& file) {
   std::string text;
-  if (!std::filesystem::is_regular_file(file))
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored))
     throw InputError(file.string() + ": there is no such file" + similar_file(file));
   try {
     text = read_file(file);

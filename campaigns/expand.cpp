@@ -87,7 +87,11 @@ public:
     tell_uncounted();
     if (mistakes_.count() > 0)
       return {};
-    for (std::size_t i = 0; i < points.size() && mistakes_.count() == 0; ++i)
+    if (count_jobs(points) > kMostJobs) {
+      too_many("jobs");
+      return {};
+    }
+    for (std::size_t i = 0; i < points.size(); ++i)
       add_jobs(points[i], scenes[i]);
     return std::move(jobs_);
   }
@@ -192,12 +196,25 @@ private:
     }
   }
 
-  void add_jobs(const SweepPoint& point, const Scene& scene) {
+  [[nodiscard]] Repeats repeats_at(const SweepPoint& point) const {
     Repeats repeats = file_.repeats;
     for (const auto& row : repeat_parameters()) {
       if (const Statement* statement = find_statement(point, row.path))
         row.set(repeats, *statement->leaf);
     }
+    return repeats;
+  }
+
+  /// Number of jobs before equal ones are joined.
+  [[nodiscard]] std::size_t count_jobs(const std::vector<SweepPoint>& points) const {
+    std::size_t sum = 0; // at most kMostJobs points of at most 10^5 replicates each
+    for (const SweepPoint& point : points)
+      sum += static_cast<std::size_t>(repeats_at(point).replicates) * file_.methods.size();
+    return sum;
+  }
+
+  void add_jobs(const SweepPoint& point, const Scene& scene) {
+    const Repeats repeats = repeats_at(point);
     std::map<std::string, std::string> of_point;
     for (const Step* step : point.steps) {
       for (const Statement& statement : step->statements) {
@@ -223,10 +240,6 @@ private:
         planned.key = job_key(planned.job);
         if (keys_.insert(planned.key).second)
           jobs_.push_back(planned);
-        if (jobs_.size() > kMostJobs) {
-          too_many("jobs");
-          return;
-        }
       }
     }
   }
@@ -241,10 +254,7 @@ private:
 } // namespace
 
 std::vector<PlannedJob> expand(const CampaignFile& file, Mistakes& mistakes) {
-  auto jobs = Expander(file, mistakes).expand();
-  if (mistakes.count() > 0)
-    jobs.clear();
-  return jobs;
+  return Expander(file, mistakes).expand();
 }
 
 } // namespace tamp

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <system_error>
 
 namespace tamp {
 
@@ -149,7 +150,8 @@ private:
   /// Reads a number off the front of `text`.
   double number(std::string_view& text, std::string_view cell) const {
     double value = 0;
-    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const std::size_t end = std::min(text.find(".."), text.size()); // the first point of 4..8 is none of the number's
+    const auto [stop, error] = std::from_chars(text.data(), text.data() + end, value);
     if (error != std::errc{} || !std::isfinite(value))
       fail(fmt::format("'{}' is no number; allowed: numbers such as 12, 0.5 or 1e-3, decimals with a point", cell));
     text.remove_prefix(static_cast<std::size_t>(stop - text.data()));
@@ -281,6 +283,9 @@ MeasuredSizes parse_measured_sizes(std::string_view text, const std::string& nam
 
 MeasuredSizes read_measured_sizes(const std::filesystem::path& file) {
   std::string text;
+  std::error_code ignored;
+  if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored))
+    throw InputError(file.string() + ": is not a file");
   try {
     text = read_file(file);
   } catch (const Error& error) {

@@ -12,12 +12,15 @@ namespace {
 constexpr std::size_t kLongest = 100; ///< longer words are no misspelling of any key
 
 std::string folded(std::string_view word) {
-  std::string out(word);
-  for (char& c : out) {
-    if (c >= 'A' && c <= 'Z')
-      c = static_cast<char>(c - 'A' + 'a');
-    else if (c == '-')
-      c = '_';
+  std::string out;
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    const char c = word[i];
+    if (const auto pair = word.substr(i, 2); pair == "\xC2\xB5" || pair == "\xCE\xBC") {
+      out += 'u'; // both of Unicode's µ
+      ++i;
+    } else {
+      out += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c == '-' ? '_' : c;
+    }
   }
   return out;
 }

@@ -9,7 +9,7 @@
 namespace tamp {
 
 /// Edit distance with insertions, deletions, substitutions and swaps of neighbours (optimal string alignment); capital
-/// letters equal small ones, '-' equals '_'.
+/// letters equal small ones, '-' equals '_', µ equals u.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
 /// The word of `known` nearest to `word`, the first of equals; empty if even that differs in more than half its

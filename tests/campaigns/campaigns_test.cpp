@@ -1,0 +1,105 @@
+// The campaigns that come with tamp ask for what they promise.
+#include "campaigns/campaign.h"
+#include "engine/base/files.h"
+#include "tests/campaigns/campaign_text.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <set>
+
+namespace tamp::test {
+
+namespace {
+
+Plan checked_in(const std::string& name) {
+  return load_campaign(std::filesystem::path(TAMP_SOURCE_DIR) / "campaigns" / name);
+}
+
+void check_powder(const Job& job) {
+  const Psd& psd = job.scene.psd;
+  CHECK(psd.law == Law::lognormal);
+  CHECK(psd.mu_ln == 0.30);
+  CHECK(psd.sigma_ln == 0.68);
+  CHECK(psd.r_min == 0.1);
+  CHECK(psd.r_max == 50);
+  CHECK(job.scene.unit == LengthUnit::um);
+  CHECK(job.scene.sides == Sides::walls);
+  CHECK(job.method.name == MethodName::drop_and_roll);
+  CHECK(job.method.drop_and_roll.max_failures == 200);
+  CHECK(job.method.drop_and_roll.lid);
+  CHECK(job.method.drop_and_roll.on_failure == OnFailure::redraw);
+}
+
+void check_lognormal(const Plan& plan, const std::vector<double>& size) {
+  REQUIRE(plan.jobs.size() == 5);
+  for (const PlannedJob& planned : plan.jobs) {
+    CHECK(planned.label == "D&R");
+    CHECK(planned.job.scene.size == size);
+    CHECK(planned.job.scene.dimension == static_cast<std::int64_t>(size.size()));
+    check_powder(planned.job);
+  }
+  CHECK(plan.run.timing == TimingMode::exclusive);
+  CHECK(plan.metrics.size() == metrics().size());
+  CHECK(plan.metrics.at(0).bins == 80);
+}
+
+} // namespace
+
+TEST_CASE("lognormal-2d and lognormal-3d are the benchmark powder in its boxes") {
+  const Plan plane = checked_in("lognormal-2d.json");
+  check_lognormal(plane, {600, 600});
+  CHECK(plane.report.tables == std::vector<std::string>{"lognormal_2d"});
+  const Plan space = checked_in("lognormal-3d.json");
+  check_lognormal(space, {133, 133, 133});
+  CHECK(space.report.tables == std::vector<std::string>{"lognormal_3d"});
+}
+
+TEST_CASE("quickstart makes the first packings of both campaigns, under the same keys") {
+  const Plan quick = checked_in("quickstart.json");
+  CHECK(quick.report.tables == std::vector<std::string>{"lognormal_2d", "lognormal_3d"});
+  REQUIRE(quick.jobs.size() == 4);
+  std::set<std::string> keys;
+  for (const char* name : {"lognormal-2d.json", "lognormal-3d.json"}) {
+    for (const PlannedJob& planned : checked_in(name).jobs)
+      keys.insert(planned.key);
+  }
+  for (const PlannedJob& planned : quick.jobs)
+    CHECK(keys.count(planned.key) == 1);
+}
+
+TEST_CASE("lattices brings each lattice in its dimension, in boxes from 10 to 80 radii") {
+  const Plan plan = checked_in("lattices.json");
+  std::map<std::string, std::vector<double>> edges;
+  for (const PlannedJob& planned : plan.jobs) {
+    const LatticeKind kind = planned.job.method.lattice.kind;
+    const bool flat = kind == LatticeKind::square || kind == LatticeKind::hexagonal;
+    CHECK(planned.job.scene.dimension == (flat ? 2 : 3));
+    CHECK(planned.job.scene.psd.radius == 1);
+    edges[std::string(name_of(kind))].push_back(planned.job.scene.size.front());
+  }
+  CHECK(edges.size() == 6);
+  for (const auto& [kind, sizes] : edges) {
+    CHECK(sizes.front() == 10);
+    CHECK(sizes.back() == 80);
+    CHECK(std::is_sorted(sizes.begin(), sizes.end()));
+  }
+  CHECK(plan.metrics.size() == 4);
+}
+
+TEST_CASE("the worked example of the README works, and its mistake is told as the README says") {
+  const std::string page = read_file(std::filesystem::path(TAMP_SOURCE_DIR) / "campaigns" / "README.md");
+  const std::string fence = "```jsonc\n";
+  const std::size_t begin = page.find(fence) + fence.size();
+  const std::string example = page.substr(begin, page.find("```", begin) - begin);
+  CHECK(read_campaign(example, "patience.json").jobs.size() == 45);
+  CHECK_THROWS_WITH(read_campaign(with(example, "\"sigma_ln\":", "\"sigma\":"), "patience.json"),
+                    Catch::StartsWith("patience.json:10:7: at /scene/psd/sigma: unknown key \"sigma\"\n"
+                                      "  allowed: \"law\", \"radius\", \"mu_ln\", \"sigma_ln\", ") &&
+                        Catch::EndsWith("\n  nearest: sigma_ln"));
+}
+
+} // namespace tamp::test
