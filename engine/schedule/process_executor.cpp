@@ -14,6 +14,11 @@ namespace tamp {
 
 namespace {
 
+/// Address space below which the program and its libraries may not even load: the kernel then ends it by SIGSEGV, or
+/// the loader by this exit code.
+constexpr std::uint64_t kProgramBytes = 64'000'000;
+constexpr int kExitNotLoaded = 127;
+
 std::string signal_name(int signal) {
   const char* name = sigabbrev_np(signal);
   return name != nullptr ? fmt::format("SIG{}", name) : fmt::format("number {}", signal);
@@ -66,6 +71,9 @@ Verdict judge_child(const ProcessResult& result, const RunSettings& run) {
   const auto no_memory = [&](std::string_view how) {
     return Verdict{Outcome::memory_limited, fmt::format("{} (budget {} MB)", how, run.memory_mb)};
   };
+  const bool crashed = result.end == End::signalled || (result.end == End::exited && result.code == kExitNotLoaded);
+  if (crashed && memory_bytes(run) < kProgramBytes)
+    return no_memory("not even the program fits into the memory budget");
   switch (result.end) {
   case End::wall_limit:
     return {Outcome::time_limited, fmt::format("not done after {:g} s, the budget of the job", run.wall_s)};

@@ -82,6 +82,12 @@ TEST_CASE("a child that runs out of memory is memory-limited, whether it notices
   CHECK(run_script("kill -KILL $$", task_of())->outcome == Outcome::memory_limited);
 }
 
+TEST_CASE("a budget below the size of the program itself is one of memory too") {
+  Task task = task_of();
+  task.run.memory_mb = 1;
+  CHECK(run_script("exit 0", task)->outcome == Outcome::memory_limited);
+}
+
 TEST_CASE("a child that takes too long is time-limited") {
   const double start = steady_seconds();
   const std::optional<Record> record = run_script("exec sleep 60", task_of(0.1));
