@@ -66,22 +66,25 @@ void Descent<D>::gather() {
 
 template <int D>
 typename Descent<D>::Step Descent<D>::step() {
-  if (is_supported())
+  if (is_supported(true))
     return Step::stable;
   if (fall_is_free())
     return fall();
   Path path;
-  if (!choose_path(path))
-    return Step::stuck;
-  return follow(path);
+  if (choose_path(path))
+    return follow(path);
+  return is_supported(false) ? Step::stable : Step::stuck;
 }
 
-/// At rest on the floor, or on D contacts whose pushes add up to the weight.
+/// At rest on the floor, or on D contacts whose pushes add up to the weight. A support where one push is zero (a sphere
+/// on the top of another that leans on a wall) holds only if no path leads away from it.
 template <int D>
-bool Descent<D>::is_supported() const {
+bool Descent<D>::is_supported(bool firmly) const {
   const bool on_floor =
       std::any_of(touching_.begin(), touching_.end(), [](const Constraint<D>& c) { return c.axis == vertical<D>; });
-  return on_floor || for_each_support<D>(touching_.size(), D, [&](Support<D>& s) { return presses(normals_, s); });
+  return on_floor || for_each_support<D>(touching_.size(), D, [&](Support<D>& support) {
+           return presses(normals_, support) && (!firmly || is_firm(support));
+         });
 }
 
 template <int D>
@@ -105,10 +108,11 @@ typename Descent<D>::Step Descent<D>::fall() {
     }
     return height;
   });
-  if (is_touching(met)) return Step::stuck;
+  if (is_touching(met))
+    return Step::stuck;
   if (height < z) {
     z = height;
-    touch_only({});
+    drop_contacts({});
   }
   gather();
   add_touching(met);
@@ -234,7 +238,8 @@ bool Descent<D>::make_path(const Support<D>& support, int side, Path& path) cons
   return path.ends_at_lowest || path.end.u > kBlocked;
 }
 
-/// Whether a contact that does not guide the path stops it at its very start.
+/// Whether a contact that does not guide the path stops it before it has moved the sphere by more than the tolerance
+/// within which that contact touches.
 template <int D>
 bool Descent<D>::is_blocked(const Path& path) const {
   for (std::size_t j = 0; j < touching_.size(); ++j) {
@@ -242,7 +247,8 @@ bool Descent<D>::is_blocked(const Path& path) const {
     if (std::find(path.support.member.begin(), last, j) != last)
       continue;
     ArcPoint where;
-    if (touching_[j].stops(path.arc, path.end, where) <= kBlocked)
+    const double angle = 2 * touching_[j].stops(path.arc, path.end, where); // near enough where it is small
+    if (angle * path.arc.first.norm() <= touching_[j].tolerance)
       return true;
   }
   return false;
@@ -273,7 +279,7 @@ typename Descent<D>::Step Descent<D>::follow(const Path& path) {
 
   if (leaves) {
     p_ = path.arc.point(exit);
-    touch_only(path.support);
+    drop_contacts(path.support);
     gather();
     return Step::moved;
   }
@@ -284,26 +290,30 @@ typename Descent<D>::Step Descent<D>::follow(const Path& path) {
     return Step::moved;
   }
   p_ = path.arc.point(best);
-  touch_only(path.support);
+  drop_contacts(path.support);
   if (met != nullptr) {
-    add_touching(*met);
+    if (!is_touching(*met))
+      add_touching(*met);
     return Step::moved;
   }
   return path.ends_at_lowest ? Step::stable : Step::moved;
 }
 
-/// Keeps the members of a support as the only contacts and renews their normals.
+/// After a move: keeps the members of the support that guided it and whatever else still touches (a move can be shorter
+/// than the tolerance), and renews the normals.
 template <int D>
-void Descent<D>::touch_only(const Support<D>& support) {
-  std::array<Constraint<D>, D> kept;
-  for (int i = 0; i < support.count; ++i) {
-    const auto n = static_cast<std::size_t>(i);
-    kept[n] = touching_[support.member[n]];
+void Descent<D>::drop_contacts(const Support<D>& guide) {
+  const auto* guides_end = guide.member.begin() + guide.count;
+  std::size_t kept = 0;
+  for (std::size_t j = 0; j < touching_.size(); ++j) {
+    const bool guides = std::find(guide.member.begin(), guides_end, j) != guides_end;
+    if (guides || touching_[j].gap(p_) <= touching_[j].tolerance)
+      touching_[kept++] = touching_[j];
   }
-  touching_.clear();
+  touching_.resize(kept);
   normals_.clear();
-  for (int i = 0; i < support.count; ++i)
-    add_touching(kept[static_cast<std::size_t>(i)]);
+  for (const Constraint<D>& c : touching_)
+    normals_.push_back(c.normal(p_));
 }
 
 template <int D>

@@ -51,7 +51,7 @@ private:
 
   void gather();
   Step step();
-  bool is_supported() const;
+  bool is_supported(bool firmly) const;
   bool fall_is_free() const;
   Step fall();
   bool choose_path(Path& path) const;
@@ -59,7 +59,7 @@ private:
   bool make_path(const Support<D>& support, int side, Path& path) const;
   bool is_blocked(const Path& path) const;
   Step follow(const Path& path);
-  void touch_only(const Support<D>& support);
+  void drop_contacts(const Support<D>& guide);
   void add_touching(const Constraint<D>& constraint);
   bool is_touching(const Constraint<D>& constraint) const;
   bool overlaps_nothing() const;

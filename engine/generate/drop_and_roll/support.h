@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace tamp {
 
@@ -26,49 +27,58 @@ template <int D>
 struct Support {
   std::array<std::size_t, D> member{}; ///< indices into the list of touching contacts
   int count = 0;
-  std::array<double, D> lambda{};
+  double margin = 0; ///< smallest push of a member (see presses)
   Vec<D> velocity = Vec<D>::Zero();
 };
 
-/// Solves for the multipliers of the members; false where the normals are dependent or one of them would have to pull.
+/// Solves for the multipliers of the members, λ_i = push_i / det by Cramer's rule; false where the normals are
+/// dependent or one of them would have to pull. The sign is judged on push_i, whose rounding does not grow as the
+/// normals become dependent.
 template <int D, class Normals>
 bool presses(const Normals& normals, Support<D>& support) {
-  Vec<D> v = Vec<D>::Zero();
-  v[vertical<D>] = -1;
   const auto n = [&](int i) -> const Vec<D>& { return normals[support.member[static_cast<std::size_t>(i)]]; };
-  const auto store = [&](int i, double value) { support.lambda[static_cast<std::size_t>(i)] = value; };
-
+  std::array<double, D> push{};
+  double det = 1;
   if (support.count == 1) {
-    store(0, n(0)[vertical<D>]);
+    push[0] = n(0)[vertical<D>];
   } else if (support.count == 2) {
-    // Gram system [1 g; g 1] λ = (n1z, n2z)
+    // Gram system [1 g; g 1] λ = (n_1z, n_2z)
     const double g = n(0).dot(n(1));
-    const double det = (1 - g) * (1 + g);
-    if (det < kIndependent)
-      return false;
-    const double z0 = n(0)[vertical<D>];
-    const double z1 = n(1)[vertical<D>];
-    store(0, (z0 - g * z1) / det);
-    store(1, (z1 - g * z0) / det);
+    det = (1 - g) * (1 + g);
+    push[0] = n(0)[vertical<D>] - g * n(1)[vertical<D>];
+    push[1] = n(1)[vertical<D>] - g * n(0)[vertical<D>];
   } else if constexpr (D == 3) {
     if (support.count == 3) {
-      // Cramer's rule for Σ λ_i n_i = e_z
-      const double det = n(0).dot(n(1).cross(n(2)));
-      if (std::abs(det) < kIndependent)
-        return false;
-      store(0, n(1).cross(n(2))[2] / det);
-      store(1, n(2).cross(n(0))[2] / det);
-      store(2, n(0).cross(n(1))[2] / det);
+      // Σ λ_i n_i = e_z
+      const Vec<D> n01 = n(0).cross(n(1));
+      det = n01.dot(n(2));
+      const double sign = det < 0 ? -1 : 1;
+      det = std::abs(det);
+      push[0] = sign * n(1).cross(n(2))[2];
+      push[1] = sign * n(2).cross(n(0))[2];
+      push[2] = sign * n01[2];
     }
   }
+  if (det < kIndependent)
+    return false;
+  support.velocity = -Vec<D>::Unit(vertical<D>);
+  support.margin = std::numeric_limits<double>::infinity();
   for (int i = 0; i < support.count; ++i) {
-    const double lambda = support.lambda[static_cast<std::size_t>(i)];
-    if (lambda < -kDirection)
+    const double p = push[static_cast<std::size_t>(i)];
+    if (p < -kDirection)
       return false;
-    v += lambda * n(i);
+    support.margin = std::min(support.margin, p);
+    support.velocity += (p / det) * n(i);
   }
-  support.velocity = support.count == D ? Vec<D>(Vec<D>::Zero()) : v;
+  if (support.count == D)
+    support.velocity.setZero();
   return true;
+}
+
+/// Whether every member presses by more than rounding; a support that is not firm only just holds.
+template <int D>
+bool is_firm(const Support<D>& support) {
+  return support.margin > kDirection;
 }
 
 /// Calls f(support) for every set of `size` of the touching contacts, in a fixed order, until f returns true.
