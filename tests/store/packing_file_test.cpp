@@ -16,7 +16,10 @@
 #include <thread>
 
 #ifdef __SANITIZE_ADDRESS__
-#include <sanitizer/lsan_interface.h>
+/// HDF5 1.10 forgets memory of its own when it meets damaged metadata; that is not ours to report.
+extern "C" const char* __lsan_default_suppressions() {
+  return "leak:libhdf5";
+}
 #endif
 
 using namespace tamp;
@@ -39,19 +42,6 @@ void check_equal(const Packing& a, const Packing& b) {
 void write_bytes(const std::filesystem::path& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
 }
-
-/// HDF5 1.10 forgets memory of its own when it meets damaged metadata; that is not ours to report.
-class ForeignLeaks {
-public:
-#ifdef __SANITIZE_ADDRESS__
-  ForeignLeaks() {
-    __lsan_disable();
-  }
-  ~ForeignLeaks() {
-    __lsan_enable();
-  }
-#endif
-};
 
 std::ptrdiff_t open_descriptors() {
   const std::filesystem::directory_iterator all("/proc/self/fd");
@@ -138,7 +128,6 @@ TEST_CASE("a truncated packing is refused wherever it is cut") {
 }
 
 TEST_CASE("a damaged packing never does worse than an error") {
-  [[maybe_unused]] const ForeignLeaks ignored;
   const ScratchFolder folder;
   const Packing packing = example_packing(2, 20);
   write_packing(folder / "p.h5", packing, label);
