@@ -1,59 +1,90 @@
-// Hulls of support points by exact predicates.
+// Non-negative least squares in two or three rows.
 #include "engine/measure/support.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/convex_hull_2.h>
+#include <Eigen/Dense>
 
 #include <algorithm>
-#include <vector>
+#include <array>
+#include <cmath>
 
 namespace tamp {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+/// Cosine below which a contact no longer opposes what is left of gravity: rounding of unit vectors.
+constexpr double kOpposes = 1e-14;
 
-/// Distance of the origin from the segment a–b.
-double distance_to_segment(const Vec<2>& a, const Vec<2>& b) {
-  const Vec<2> along = b - a;
-  const double length = along.squaredNorm();
-  const double t = length > 0 ? std::clamp(-a.dot(along) / length, 0.0, 1.0) : 0.0;
-  return (a + t * along).norm();
-}
+/// Each pass lowers the residual, so the search ends; rounding could make it circle among equals.
+constexpr int kMaxPasses = 1000;
+
+/// The contacts that press, at most D because they are independent, with their multipliers.
+template <int D>
+struct Pressing {
+  std::array<Vec<D>, D> normal;
+  std::array<double, D> lambda{};
+  int count = 0;
+
+  void remove(int i) {
+    --count;
+    normal[static_cast<std::size_t>(i)] = normal[static_cast<std::size_t>(count)];
+    lambda[static_cast<std::size_t>(i)] = lambda[static_cast<std::size_t>(count)];
+  }
+
+  /// Least squares over the pressing contacts, stepping back to where the first of them would pull and leaving it out.
+  void solve() {
+    while (count > 0) {
+      Eigen::Matrix<double, D, Eigen::Dynamic, 0, D, D> a(D, count);
+      for (int i = 0; i < count; ++i)
+        a.col(i) = normal[static_cast<std::size_t>(i)];
+      const Eigen::VectorXd wanted = a.colPivHouseholderQr().solve(Vec<D>::Unit(vertical<D>));
+      double step = 1;
+      int first = -1;
+      for (int i = 0; i < count; ++i) {
+        const double now = lambda[static_cast<std::size_t>(i)];
+        if (wanted[i] <= 0 && now / (now - wanted[i]) < step) {
+          step = now / (now - wanted[i]);
+          first = i;
+        }
+      }
+      for (int i = 0; i < count; ++i) {
+        double& now = lambda[static_cast<std::size_t>(i)];
+        now += step * (wanted[i] - now);
+      }
+      if (first < 0)
+        return;
+      remove(first);
+    }
+  }
+
+  [[nodiscard]] Vec<D> residual() const {
+    Vec<D> r = Vec<D>::Unit(vertical<D>);
+    for (int i = 0; i < count; ++i)
+      r -= lambda[static_cast<std::size_t>(i)] * normal[static_cast<std::size_t>(i)];
+    return r;
+  }
+};
 
 } // namespace
 
-template <>
-bool rests_on<2>(std::span<const Vec<1>> points, double tolerance) {
-  bool left = false;
-  bool right = false;
-  for (const Vec<1>& p : points) {
-    left = left || p[0] <= tolerance;
-    right = right || p[0] >= -tolerance;
+template <int D>
+double free_descent(std::span<const Vec<D>> normals) {
+  Pressing<D> pressing;
+  Vec<D> left = Vec<D>::Unit(vertical<D>);
+  for (int pass = 0; pass < kMaxPasses && pressing.count < D; ++pass) {
+    const auto strongest = std::max_element(
+        normals.begin(), normals.end(), [&](const Vec<D>& a, const Vec<D>& b) { return a.dot(left) < b.dot(left); });
+    if (strongest == normals.end() || strongest->dot(left) <= kOpposes)
+      break;
+    pressing.normal[static_cast<std::size_t>(pressing.count)] = *strongest;
+    pressing.lambda[static_cast<std::size_t>(pressing.count)] = 0;
+    ++pressing.count;
+    pressing.solve();
+    left = pressing.residual();
   }
-  return left && right;
+  return left.norm();
 }
 
-template <>
-bool rests_on<3>(std::span<const Vec<2>> points, double tolerance) {
-  if (points.empty())
-    return false;
-  std::vector<Kernel::Point_2> all;
-  for (const Vec<2>& p : points)
-    all.emplace_back(p[0], p[1]);
-  std::vector<Kernel::Point_2> hull; // counter-clockwise, corners only
-  CGAL::convex_hull_2(all.begin(), all.end(), std::back_inserter(hull));
-
-  const Kernel::Point_2 origin(0, 0);
-  bool inside = hull.size() >= 3;
-  double nearest = Vec<2>(hull.front().x(), hull.front().y()).norm();
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    const auto& a = hull[i];
-    const auto& b = hull[(i + 1) % hull.size()];
-    inside = inside && CGAL::orientation(a, b, origin) != CGAL::RIGHT_TURN;
-    nearest = std::min(nearest, distance_to_segment({a.x(), a.y()}, {b.x(), b.y()}));
-  }
-  return inside || nearest <= tolerance;
-}
+template double free_descent<2>(std::span<const Vec<2>>);
+template double free_descent<3>(std::span<const Vec<3>>);
 
 } // namespace tamp

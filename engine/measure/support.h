@@ -1,4 +1,4 @@
-// Whether a sphere rests on its supports: is its centre above the hull of the points it stands on?
+// Whether the contacts of a sphere carry it: how freely it could still move down.
 #pragma once
 
 #include "engine/base/vec.h"
@@ -7,10 +7,10 @@
 
 namespace tamp {
 
-/// points: horizontal places of the supports seen from the sphere's centre, in units of its radius, in D − 1
-/// dimensions. True if the origin is in their hull or within `tolerance` of it. Inside is decided by exact predicates;
-/// the tolerance lets a sphere balance on supports that face each other exactly up to rounding.
+/// Length of the projection of −e_z on the cone {v : v·n_i ≥ 0} of motions that the contacts leave free: 0 for a sphere
+/// in equilibrium, 1 for one that falls. By Moreau's decomposition it is the least |Σ λ_i n_i − e_z| over λ ≥ 0, found
+/// by non-negative least squares (Lawson & Hanson 1974, ch. 23). normals: unit vectors into the sphere, one a contact.
 template <int D>
-bool rests_on(std::span<const Vec<D - 1>> points, double tolerance);
+double free_descent(std::span<const Vec<D>> normals);
 
 } // namespace tamp

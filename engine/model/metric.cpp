@@ -13,7 +13,7 @@ constexpr std::array kMetrics = {
     MetricInfo{MetricName::phi, 1, "packing fraction of the sub-box, exact: sphere∩box volumes with edges and corners"},
     MetricInfo{MetricName::phi_paper, 1, "packing fraction by the paper's clipped estimator, and N_PB"},
     MetricInfo{MetricName::overlap, 1, "largest overlap relative to the smaller radius, and how many pairs overlap"},
-    MetricInfo{MetricName::stable_alone, 1, "share of spheres whose centre projects inside the hull of their supports"},
+    MetricInfo{MetricName::stable_alone, 1, "share of spheres in equilibrium when looked at alone, neighbours held"},
     MetricInfo{MetricName::coordination, 1, "mean number of contacts a sphere, with and without rattlers"},
 };
 

@@ -1,14 +1,17 @@
-// Hulls of support points, and spheres that rest or fall.
+// Descents that contacts leave free, and spheres that rest or fall.
 #include "engine/measure/support.h"
 #include "tests/engine/measure/packings.h"
+
+#include <Eigen/Dense>
 
 using namespace tamp;
 using namespace tamp::test;
 
 namespace {
 
-bool rests(std::vector<Vec<2>> points, double tolerance = 0) {
-  return rests_on<3>(points, tolerance);
+template <int D>
+double descent(const std::vector<Vec<D>>& normals) {
+  return free_descent<D>(normals);
 }
 
 std::vector<Measure> stable(const Packing& packing) {
@@ -29,45 +32,48 @@ constexpr double kTurn = 6.283185307179586;
 
 } // namespace
 
-TEST_CASE("the origin in the hull of points, decided exactly") {
-  CHECK(rests({{1, 0}, {-1, 1}, {-1, -1}}));
-  CHECK(rests({{1, 0}, {-1, 0}, {0, 1}}));                 // on an edge
-  CHECK_FALSE(rests({{1, 1e-100}, {-1, 1e-100}, {0, 1}})); // above it by the least there is
-  CHECK(rests({{1, -1e-100}, {-1, 1e-100}, {0, 1}}));
-  CHECK(rests({{0, 0}}));
-  CHECK(rests({{0.3, 0.6}, {-0.1, -0.2}}, 1e-15));
-  CHECK_FALSE(rests({{0.3, 0.6}, {-0.1, -0.3}}, 1e-6));
-  CHECK_FALSE(rests({}));
-  CHECK_FALSE(rests({{0.1, 0}, {0.1, 0}, {0.1, 0}}));
+TEST_CASE("the descent that contacts leave free, in closed form") {
+  CHECK(descent<3>({}) == 1);                                                    // free fall
+  CHECK(descent<3>({{0, 0, 1}}) == Approx(0).margin(1e-15));                     // a floor
+  CHECK(descent<3>({{1, 0, 0}, {0, -1, 0}, {0, 0, -1}}) == 1);                   // walls and a lid carry nothing
+  CHECK(descent<3>({{0.6, 0, 0.8}}) == Approx(0.6));                             // a slope
+  CHECK(descent<3>({{0.6, 0, 0.8}, {-0.6, 0, 0.8}}) == Approx(0).margin(1e-15)); // a saddle's top
+  CHECK(descent<2>({{0.6, 0.8}, {-1, 0}}) == Approx(0).margin(1e-15));           // wedged against a wall
+  // Wedged under an overhang: the contact that stops it points down.
+  CHECK(descent<2>({{0.6, 0.8}, {-0.8, -0.6}}) == Approx(0).margin(1e-15));
+  CHECK(descent<2>({{0.6, 0.8}, {-0.6, -0.8}}) == Approx(0.6)); // squarely opposed: it slides along both
 }
 
-TEST_CASE("the tolerance is a distance from the hull") {
-  const std::vector<Vec<2>> points{{1, 0.01}, {-1, 0.01}, {0, 1}};
-  CHECK(rests(points, 0.0101));
-  CHECK_FALSE(rests(points, 0.0099));
-  CHECK(rests({{0.03, 0.04}}, 0.0501));
-  CHECK_FALSE(rests({{0.03, 0.04}}, 0.0499));
-}
-
-TEST_CASE("hulls of random points agree with a search for a separating line") {
+TEST_CASE("the free descent agrees with a search over all sets of contacts") {
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     RandomStream draw("support", seed);
-    std::vector<Vec<2>> points(1 + draw.below(5));
-    for (auto& p : points)
-      p = {2 * draw.uniform() - 1, 2 * draw.uniform() - 1};
-    // A separating line may be turned until it is square to a point: try the directions just beside those.
-    bool separated = false;
-    for (const auto& p : points) {
-      for (const double side : {1.0, -1.0}) {
-        const Vec<2> direction = Vec<2>(-p[1], p[0]) * side + 1e-9 * p;
-        bool all = true;
-        for (const auto& other : points)
-          all = all && other.dot(direction) > 0;
-        separated = separated || all;
+    std::vector<Vec<3>> normals(1 + draw.below(6));
+    for (auto& n : normals) {
+      do {
+        for (int a = 0; a < 3; ++a)
+          n[a] = 2 * draw.uniform() - 1;
+      } while (n.norm() < 0.1 || n.norm() > 1);
+      n.normalize();
+    }
+    // The least distance to the span of any set of contacts whose multipliers come out positive.
+    double least = 1;
+    for (unsigned set = 1; set < (1U << normals.size()); ++set) {
+      std::vector<Vec<3>> chosen;
+      for (std::size_t i = 0; i < normals.size(); ++i) {
+        if ((set >> i & 1U) != 0)
+          chosen.push_back(normals[i]);
       }
+      if (chosen.size() > 3)
+        continue;
+      Eigen::MatrixXd a(3, static_cast<Eigen::Index>(chosen.size()));
+      for (std::size_t i = 0; i < chosen.size(); ++i)
+        a.col(static_cast<Eigen::Index>(i)) = chosen[i];
+      const Eigen::VectorXd lambda = a.colPivHouseholderQr().solve(Vec<3>(0, 0, 1));
+      if (lambda.minCoeff() >= 0)
+        least = std::min(least, (a * lambda - Vec<3>(0, 0, 1)).norm());
     }
     CAPTURE(seed);
-    CHECK(rests(points) == !separated);
+    CHECK(descent<3>(normals) == Approx(least).margin(1e-12));
   }
 }
 

@@ -1,0 +1,173 @@
+// What every generator promises, checked over the table of generators, and what drop-and-roll promises over many seeds.
+#include "engine/generate/generator.h"
+#include "engine/measure/measure.h"
+#include "tests/engine/model/psd_examples.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+using namespace tamp;
+using namespace tamp::test;
+
+namespace {
+
+struct Case {
+  std::string name;
+  Job job;
+};
+
+Job job_of(MethodName method, std::int64_t dimension, const Psd& psd, double edge) {
+  Job job;
+  job.scene.dimension = dimension;
+  job.scene.size = {edge};
+  job.scene.psd = psd;
+  job.scene = completed(job.scene);
+  job.method.name = method;
+  job.method.lattice.kind = dimension == 2 ? LatticeKind::hexagonal : LatticeKind::hcp;
+  REQUIRE(problems(job.scene).empty());
+  return job;
+}
+
+/// Small scenes of every law that a method can have, named for messages.
+std::vector<Case> cases_of(MethodName method) {
+  const std::map<std::string, Psd> laws = {
+      {"monodisperse", monodisperse_psd(1)},
+      {"lognormal", lognormal_psd(0.30, 0.68, 0.1, 8)},
+      {"bimodal", bimodal_psd(1, 4, 0.75)},
+      {"normal", normal_psd(1.5, 0.4, 0.3, 3)},
+      {"weibull", weibull_psd(1.5, 2.5, Weighting::number, 0.2, 4)},
+      {"histogram", histogram_psd({0.5, 1, 1.5, 3}, {2, 5, 1}, Weighting::volume)},
+  };
+  std::vector<Case> cases;
+  for (const std::int64_t dimension : {2, 3}) {
+    for (const auto& [name, psd] : laws) {
+      if (method == MethodName::lattice && name != "monodisperse")
+        continue;
+      cases.push_back(
+          {name + " " + std::to_string(dimension) + "D", job_of(method, dimension, psd, dimension == 2 ? 40 : 17)});
+    }
+  }
+  return cases;
+}
+
+std::map<std::string, double> measured(MetricName name, const Packing& packing, const Scene& scene) {
+  Metric metric;
+  metric.name = name;
+  std::map<std::string, double> values;
+  for (const Measure& m : measure(metric, packing, scene))
+    values[m.name] = m.value;
+  return values;
+}
+
+bool same_bytes(const Packing& a, const Packing& b) {
+  return a.positions == b.positions && a.radii == b.radii;
+}
+
+} // namespace
+
+TEST_CASE("every generator: spheres inside the box, no overlap, N in the measures, same key same bytes") {
+  for (const Generator& generator : generators()) {
+    for (const Case& c : cases_of(generator.name)) {
+      INFO(name_of(generator.name) << ", " << c.name);
+      const Generated out = generate(c.job, "key one");
+      REQUIRE(out.outcome == Outcome::ok);
+      CHECK(out.reason.empty());
+      const Packing& p = out.packing;
+      REQUIRE(p.count() > 20);
+      CHECK(p.dimension == c.job.scene.dimension);
+      CHECK(p.positions.size() == p.count() * static_cast<std::size_t>(p.dimension));
+      REQUIRE_FALSE(out.measures.empty());
+      CHECK(out.measures.front().name == "N");
+      CHECK(out.measures.front().value == static_cast<double>(p.count()));
+      for (std::size_t a = 0; a < static_cast<std::size_t>(p.dimension); ++a)
+        CHECK(p.size[a] == c.job.scene.size[a]);
+
+      const auto overlap = measured(MetricName::overlap, p, c.job.scene);
+      CHECK(overlap.at("overlap_max") <= 1e-10);
+      CHECK(overlap.at("overlap_walls") == 0);
+
+      CHECK(same_bytes(generate(c.job, "key one").packing, p));
+    }
+  }
+}
+
+TEST_CASE("a change of the unit of length changes nothing else") {
+  constexpr double scale = 0x1.0p-20; // a power of two near 1e-6, so that scaling rounds nothing
+  for (const std::int64_t dimension : {2, 3}) {
+    for (const Sides sides : {Sides::walls, Sides::periodic}) {
+      Job job = job_of(MethodName::drop_and_roll, dimension, bimodal_psd(1, 4, 0.75), dimension == 2 ? 40 : 17);
+      job.scene.sides = sides;
+      Job scaled = job;
+      scaled.scene.psd.small_radius *= scale;
+      for (double& edge : scaled.scene.size)
+        edge *= scale;
+      const Packing big = generate(job, "unit").packing;
+      Packing small = generate(scaled, "unit").packing;
+      for (double& x : small.positions)
+        x /= scale;
+      for (double& r : small.radii)
+        r /= scale;
+      CHECK(same_bytes(big, small));
+    }
+  }
+}
+
+TEST_CASE("drop-and-roll keeps to a stated count, or says that the box was full") {
+  Job job = job_of(MethodName::drop_and_roll, 3, monodisperse_psd(1), 17);
+  job.scene.count = 100;
+  CHECK(generate(job, "count").packing.count() == 100);
+  job.scene.count = 100000;
+  const Generated full = generate(job, "count");
+  CHECK(full.outcome == Outcome::did_not_converge);
+  CHECK(full.reason.find("of 100000 spheres") != std::string::npos);
+}
+
+TEST_CASE("without a lid spheres may end above the box, with one they may not; keeping the radius ends sooner") {
+  Job job = job_of(MethodName::drop_and_roll, 3, lognormal_psd(0.30, 0.68, 0.1, 8), 17);
+  const Packing lidded = generate(job, "lid").packing;
+  for (std::size_t i = 0; i < lidded.count(); ++i)
+    CHECK(lidded.centre<3>(i)[2] + lidded.radii[i] <= 17);
+  CHECK(lidded.boundary[2] == Boundary::wall);
+
+  job.method.drop_and_roll.on_failure = OnFailure::keep;
+  CHECK(generate(job, "lid").packing.count() < lidded.count());
+
+  job.method.drop_and_roll.lid = false;
+  job.scene.count = static_cast<std::int64_t>(2 * lidded.count());
+  const Generated open = generate(job, "lid");
+  CHECK(open.outcome == Outcome::ok);
+  CHECK(open.packing.boundary[2] == Boundary::open);
+}
+
+namespace {
+
+/// The promise of drop-and-roll for one seed over all laws: no overlap above 1e-10, every sphere stable, none stuck.
+void check_seed(int seed, Sides sides) {
+  for (Case& c : cases_of(MethodName::drop_and_roll)) {
+    INFO(c.name << ", seed " << seed << ", " << name_of(sides));
+    c.job.scene.sides = sides;
+    const Generated out = generate(c.job, "seed " + std::to_string(seed));
+    for (const Measure& m : out.measures) {
+      if (m.name == "unresolved")
+        CHECK(m.value == 0);
+    }
+    CHECK(measured(MetricName::overlap, out.packing, c.job.scene).at("overlap_max") <= 1e-10);
+    CHECK(measured(MetricName::stable_alone, out.packing, c.job.scene).at("unstable_count") == 0);
+  }
+}
+
+} // namespace
+
+TEST_CASE("drop-and-roll: no overlap, no unstable or stuck sphere, a few seeds") {
+  for (int seed = 0; seed < 4; ++seed)
+    check_seed(seed, seed % 2 == 0 ? Sides::walls : Sides::periodic);
+}
+
+TEST_CASE("drop-and-roll: no overlap, no unstable or stuck sphere, 200 seeds of each law in 2D and 3D", "[slow]") {
+  for (int seed = 100; seed < 300; ++seed)
+    check_seed(seed, seed % 2 == 0 ? Sides::walls : Sides::periodic);
+}
