@@ -13,13 +13,18 @@ using Catch::Contains;
 
 namespace {
 
-/// The `tamp job` children of a run, as the kernel lists them.
+/// The children of a run that have become `tamp job` (right after the fork they are still copies of the run).
 std::vector<pid_t> children_of(pid_t parent) {
   std::vector<pid_t> found;
   for (const auto& thread : fs::directory_iterator(fmt::format("/proc/{}/task", parent))) {
     std::ifstream list(thread.path() / "children");
-    for (pid_t pid = 0; list >> pid;)
-      found.push_back(pid);
+    for (pid_t pid = 0; list >> pid;) {
+      std::ifstream command(fmt::format("/proc/{}/cmdline", pid));
+      std::string word;
+      std::getline(command, word, '\0');
+      if (std::getline(command, word, '\0') && word == "job")
+        found.push_back(pid);
+    }
   }
   return found;
 }

@@ -128,10 +128,12 @@ TEST_CASE("a job over its budget is an outcome, and only --retry-limited tries i
     shop.write("discs.json", budget(R"({"wall_s": 0.2, "memory_mb": 2000})"));
     outcome = "time-limited";
   }
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // they do not live under a limit of address space
   SECTION("memory") {
     shop.write("discs.json", budget(R"({"wall_s": 60, "memory_mb": 70})"));
     outcome = "memory-limited";
   }
+#endif
   const Said said = shop.tamp("run discs.json");
   CAPTURE(said.out, said.err);
   CHECK(said.code == 1);

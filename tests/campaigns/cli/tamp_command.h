@@ -35,7 +35,7 @@ public:
 
   /// Starts `tamp ARGUMENTS` (shell words) in the folder.
   ChildProcess start(const std::string& arguments) const {
-    const std::string script = fmt::format("cd '{}' && exec '{}' {} >'{}' 2>'{}'", folder().string(), TAMP_BINARY,
+    const std::string script = fmt::format("cd '{}' && exec '{}' {} >'{}' 2>'{}'", folder().string(), binary_,
                                            arguments, (said_ / "out").string(), (said_ / "err").string());
     return ChildProcess::start({.argv = {"/bin/sh", "-c", script}, .log = {}, .limits = {.wall_s = 300}});
   }

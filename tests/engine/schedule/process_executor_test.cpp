@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <csignal>
 #include <thread>
 
 using namespace tamp;
@@ -83,9 +84,19 @@ TEST_CASE("a child that runs out of memory is memory-limited, whether it notices
 }
 
 TEST_CASE("a budget below the size of the program itself is one of memory too") {
-  Task task = task_of();
-  task.run.memory_mb = 1;
-  CHECK(run_script("exit 0", task)->outcome == Outcome::memory_limited);
+  RunSettings run;
+  run.memory_mb = 1;
+  ProcessResult result;
+  SECTION("ended by the kernel while it loads the program") {
+    result.end = ProcessResult::End::signalled;
+    result.code = SIGSEGV;
+  }
+  SECTION("given up by the loader") {
+    result.code = 127;
+  }
+  CHECK(judge_child(result, run).outcome == Outcome::memory_limited);
+  run.memory_mb = 4096;
+  CHECK(judge_child(result, run).outcome == Outcome::failed);
 }
 
 TEST_CASE("a child that takes too long is time-limited") {
