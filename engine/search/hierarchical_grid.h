@@ -67,7 +67,7 @@ public:
         continue;
       Vec<D> shift = Vec<D>::Zero();
       const double touching = reach + level.largest;
-      level.template visit_columns<D - 2>(p, touching * touching, stopped_at, {}, shift, f);
+      level.template visit_columns<D - 2>(p, reach, touching * touching, stopped_at, {}, shift, f);
     }
   }
 
@@ -128,15 +128,14 @@ private:
     template <int A, class F>
     void visit_axis(const Vec<D>& p, double reach, double room, std::size_t base, Vec<D> shift, F& f) const {
       for (auto [i, last] = slices(A, p, std::sqrt(room)); i <= last; ++i) {
-        const double left = room_left(i, A, p, room);
-        if (left < 0)
-          continue;
         const std::size_t cell =
             base * static_cast<std::size_t>(cells[A]) + static_cast<std::size_t>(wrap(i, A, shift));
         if constexpr (A == 0) {
           visit_cell(cell, p, reach, shift, f);
         } else {
-          visit_axis<A - 1>(p, reach, left, cell, shift, f);
+          const double left = room_left(i, A, p, room);
+          if (left >= 0)
+            visit_axis<A - 1>(p, reach, left, cell, shift, f);
         }
       }
     }
@@ -154,17 +153,15 @@ private:
     /// Walks the columns of cells around the vertical line through p, axis A and below still to be chosen; `room` is
     /// what the chosen axes left of the squared distance at which a sphere still touches.
     template <int A, class F>
-    void visit_columns(const Vec<D>& p, double room, double& stopped_at, std::array<std::int64_t, D> index,
-                       Vec<D>& shift, F& f) const {
+    void visit_columns(const Vec<D>& p, double reach, double room, double& stopped_at,
+                       std::array<std::int64_t, D> index, Vec<D>& shift, F& f) const {
       for (auto [i, last] = slices(A, p, std::sqrt(room)); i <= last; ++i) {
-        const double left = room_left(i, A, p, room);
-        if (left < 0)
-          continue;
+        const double left = std::max(0.0, room_left(i, A, p, room));
         index[A] = wrap(i, A, shift);
         if constexpr (A == 0) {
-          descend(p, std::sqrt(left), stopped_at, index, shift, f);
+          descend(p, reach, std::sqrt(left), stopped_at, index, shift, f);
         } else {
-          visit_columns<A - 1>(p, left, stopped_at, index, shift, f);
+          visit_columns<A - 1>(p, reach, left, stopped_at, index, shift, f);
         }
       }
     }
@@ -172,7 +169,7 @@ private:
     /// One column of cells from the height of p downwards, while its spheres can stop the body above `stopped_at`: the
     /// body's centre comes to rest at most `lift` above theirs.
     template <class F>
-    void descend(const Vec<D>& p, double lift, double& stopped_at, std::array<std::int64_t, D> index,
+    void descend(const Vec<D>& p, double reach, double lift, double& stopped_at, std::array<std::int64_t, D> index,
                  const Vec<D>& shift, F& f) const {
       constexpr int z = vertical<D>;
       const std::int64_t topmost = cells[z] - 1;
@@ -186,7 +183,10 @@ private:
           cell = cell * static_cast<std::size_t>(cells[a]) + static_cast<std::size_t>(index[a]);
         }
         for (std::uint32_t k = head[cell]; k != kNone; k = nodes[k].next) {
-          stopped_at = f(Vec<D>(nodes[k].centre + shift), nodes[k].radius);
+          const Vec<D> centre = nodes[k].centre + shift;
+          const double limit = nodes[k].radius + reach;
+          if ((centre - p).template head<D - 1>().squaredNorm() < limit * limit)
+            stopped_at = f(centre, nodes[k].radius);
         }
       }
     }

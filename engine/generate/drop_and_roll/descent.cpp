@@ -98,9 +98,9 @@ typename Descent<D>::Step Descent<D>::fall() {
   Constraint<D> met = Constraint<D>::plane(vertical<D>, radius_, 1, radius_);
   double height = radius_;
   grid_.for_each_below(p_, radius_, height, [&](const Vec<D>& centre, double radius) {
-    const auto sphere = Constraint<D>::sphere(centre, radius, radius_);
-    // A sphere whose equator is above p cannot be landed on, only passed.
-    if (centre[vertical<D>] <= z) {
+    // A sphere whose equator is above p cannot be landed on, only passed; one too low changes nothing.
+    if (centre[vertical<D>] <= z && centre[vertical<D>] + radius + radius_ > height) {
+      const auto sphere = Constraint<D>::sphere(centre, radius, radius_);
       if (const double landing = sphere.landing(p_); landing > height) {
         height = landing;
         met = sphere;
