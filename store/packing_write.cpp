@@ -133,7 +133,7 @@ void write_particles(const Writer& out, const Packing& packing) {
   out.integer_attribute(box, "dimension", packing.dimension);
   std::vector<std::string_view> boundary;
   for (std::size_t axis = 0; axis < d; ++axis)
-    boundary.push_back(packing.boundary[axis] == Boundary::periodic ? "periodic" : "none");
+    boundary.emplace_back(packing.boundary[axis] == Boundary::periodic ? "periodic" : "none");
   out.text_list_attribute(box, "boundary", boundary);
   out.numbers(box, "edges", packing.size.data(), {d}, unit);
   out.numbers(powder, "position", packing.positions.data(), {packing.count(), d}, unit);

@@ -21,7 +21,7 @@ std::array<std::uint64_t, 4> philox_block(const std::uint64_t key[2], std::uint6
 
 } // namespace
 
-RandomStream::RandomStream(std::string_view key, std::uint64_t stream) : key_{}, stream_(stream) {
+RandomStream::RandomStream(std::string_view key, std::uint64_t stream) : stream_(stream) {
   const auto digest = sha256(key);
   std::memcpy(key_, digest.data(), sizeof key_);
 }

@@ -29,7 +29,7 @@ private:
   static double to_unit(std::uint64_t bits) { return static_cast<double>(bits >> 11U) * 0x1.0p-53; }
 
   static constexpr int kWords = 4; // words of one Philox block
-  std::uint64_t key_[2];
+  std::uint64_t key_[2] = {};
   std::uint64_t stream_;
   std::uint64_t next_ = 0;
   std::uint64_t block_[kWords] = {};

@@ -134,7 +134,7 @@ Forked fork_child(const SpawnPlan& plan) {
 class Spawner {
 public:
   static Spawner& instance() {
-    static Spawner* const spawner = new Spawner;
+    static auto* const spawner = new Spawner;
     return *spawner;
   }
 

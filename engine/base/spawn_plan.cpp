@@ -37,7 +37,7 @@ std::string find_program(const std::string& name) {
     std::string folder(folders.substr(0, colon));
     if (folder.empty())
       folder = ".";
-    const std::string candidate = folder + '/' + name;
+    std::string candidate = folder + '/' + name;
     if (!name.empty() && ::access(candidate.c_str(), X_OK) == 0)
       return candidate;
     if (colon == std::string_view::npos)

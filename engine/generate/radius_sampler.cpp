@@ -10,7 +10,7 @@
 namespace tamp {
 
 RadiusSampler::RadiusSampler(const SizeLaw& law, Sampler kind, std::uint64_t block, RandomStream stream)
-    : law_(law), block_(block), stream_(std::move(stream)),
+    : law_(law), block_(block), stream_(stream),
       independent_(kind == Sampler::random && law.classes().empty()) {
   if (block == 0)
     throw InputError("the block of a radius sampler must be at least 1");
@@ -63,7 +63,7 @@ std::vector<double> draw_radii(const SizeLaw& law, Sampler kind, std::size_t n, 
   std::vector<double> radii(n);
   if (n == 0)
     return radii;
-  RadiusSampler sampler(law, kind, n, std::move(stream));
+  RadiusSampler sampler(law, kind, n, stream);
   std::generate(radii.begin(), radii.end(), [&sampler] { return sampler.next(); });
   return radii;
 }

@@ -208,8 +208,8 @@ std::vector<Parameter<RunSettings>> run_table() {
 std::string Range::words() const {
   const bool has_low = std::isfinite(low);
   const bool has_high = std::isfinite(high);
-  const std::string lower = fmt::format("{} {}", low_open ? "above" : "at least", low);
-  const std::string upper = fmt::format("{} {}", high_open ? "below" : "at most", high);
+  std::string lower = fmt::format("{} {}", low_open ? "above" : "at least", low);
+  std::string upper = fmt::format("{} {}", high_open ? "below" : "at most", high);
   if (has_low && has_high) {
     if (!low_open && !high_open)
       return fmt::format("from {} to {}", low, high);
