@@ -1,0 +1,28 @@
+// The names of the report's tables, so that a campaign file can be checked without knowing how a table is made.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace tamp {
+
+struct ReportTableInfo {
+  std::string_view name;
+  std::string_view summary;
+};
+
+/// Every table that a campaign may ask for under `report/tables`; report/report.cpp has one maker for each.
+inline constexpr std::array kReportTables = {
+    ReportTableInfo{"lognormal_2d",
+                    "lognormal powder in 2D: PSD fidelity, packing fraction and time beside the paper's"},
+    ReportTableInfo{"lognormal_3d",
+                    "lognormal powder in 3D: PSD fidelity, packing fraction and time beside the paper's"},
+};
+
+constexpr bool is_report_table(std::string_view name) {
+  return std::any_of(kReportTables.begin(), kReportTables.end(),
+                     [name](const ReportTableInfo& table) { return table.name == name; });
+}
+
+} // namespace tamp

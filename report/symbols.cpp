@@ -1,0 +1,62 @@
+// The table of symbols.
+#include "report/symbols.h"
+
+#include <array>
+
+namespace tamp {
+
+namespace {
+
+constexpr std::array kSymbols = {
+    Symbol{"X", "$X$", "*X*"},
+    Symbol{"N_part", "$N_{\\mathrm{part}}$", "*N*<sub>part</sub>"},
+    Symbol{"N_PB", "$N_{P,B}$", "*N*<sub>P,B</sub>"},
+    Symbol{"H", "$H$", "*H*"},
+    Symbol{"H_N", "$H_N$", "*H*<sub>N</sub>"},
+    Symbol{"H_S", "$H_S$", "*H*<sub>S</sub>"},
+    Symbol{"H_V", "$H_V$", "*H*<sub>V</sub>"},
+    Symbol{"H_N_floor", "$H_N^{\\mathrm{floor}}$", "*H*<sub>N</sub> floor"},
+    Symbol{"H_S_floor", "$H_S^{\\mathrm{floor}}$", "*H*<sub>S</sub> floor"},
+    Symbol{"H_V_floor", "$H_V^{\\mathrm{floor}}$", "*H*<sub>V</sub> floor"},
+    Symbol{"K", "$K$", "*K*"},
+    Symbol{"phi", "$\\varphi$", "φ"},
+    Symbol{"phi_paper", "$\\varphi_{\\mathrm{paper}}$", "φ<sub>paper</sub>"},
+    Symbol{"time", "Time", "Time"},
+    Symbol{"overlap_max", "$\\delta_{\\max}$", "δ<sub>max</sub>"},
+    Symbol{"stable_alone", "$s_{\\mathrm{alone}}$", "*s*<sub>alone</sub>"},
+    Symbol{"z", "$z$", "*z*"},
+    Symbol{"mu_ln", "$\\mu_{\\ln}$", "μ<sub>ln</sub>"},
+    Symbol{"sigma_ln", "$\\sigma_{\\ln}$", "σ<sub>ln</sub>"},
+};
+
+constexpr std::string_view kOpen = "⟨";
+constexpr std::string_view kClose = "⟩";
+
+} // namespace
+
+const Symbol* find_symbol(std::string_view name) {
+  for (const Symbol& symbol : kSymbols) {
+    if (symbol.name == name)
+      return &symbol;
+  }
+  return nullptr;
+}
+
+std::string render_text(std::string_view text, const std::function<std::string(std::string_view)>& escape,
+                        const std::function<std::string(const Symbol&)>& mark) {
+  std::string out;
+  std::size_t done = 0;
+  for (std::size_t open = text.find(kOpen); open != text.npos; open = text.find(kOpen, open + kOpen.size())) {
+    const std::size_t close = text.find(kClose, open);
+    if (close == text.npos)
+      break;
+    const Symbol* symbol = find_symbol(text.substr(open + kOpen.size(), close - open - kOpen.size()));
+    if (!symbol)
+      continue;
+    out += escape(text.substr(done, open - done)) + mark(*symbol);
+    done = close + kClose.size();
+  }
+  return out + escape(text.substr(done));
+}
+
+} // namespace tamp

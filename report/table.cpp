@@ -1,0 +1,78 @@
+// Digits of cells.
+#include "report/table.h"
+
+#include "report/number.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tamp {
+
+namespace {
+
+constexpr int kSignificant = 3;
+
+/// Size of the shown unit in units of the value.
+double shown_unit(const Cell& cell) {
+  return cell.style == CellStyle::duration ? time_unit(std::abs(cell.value)).seconds : 1;
+}
+
+std::string with_sign(const Cell& cell, std::string digits) {
+  const bool zero = digits.find_first_of("123456789") == std::string::npos;
+  return cell.sign && !zero && digits.front() != '-' ? "+" + digits : digits;
+}
+
+} // namespace
+
+bool Cell::empty() const {
+  return !std::isfinite(value);
+}
+
+bool Panel::one_line_groups() const {
+  return std::all_of(groups.begin(), groups.end(),
+                     [](const Group& group) { return group.lines.size() == 1 && group.lines[0].name.empty(); });
+}
+
+int shown_decimals(const Cell& cell) {
+  const double scale = shown_unit(cell);
+  if (cell.spread > 0)
+    return decimals_of_spread(cell.spread / scale);
+  return cell.decimals.value_or(std::max(0, decimals_of_significant(cell.value / scale, kSignificant)));
+}
+
+CellText show(const Cell& cell) {
+  CellText text;
+  switch (cell.style) {
+  case CellStyle::scientific: {
+    const Scientific parts = scientific(cell.value);
+    text.value = with_sign(cell, parts.mantissa);
+    text.exponent = parts.exponent;
+    break;
+  }
+  case CellStyle::share:
+    text.value = share(cell.value);
+    break;
+  case CellStyle::ratio:
+    text.value = fixed(cell.value, decimals_of_significant(cell.value, 2));
+    text.unit = "x";
+    break;
+  case CellStyle::fixed:
+  case CellStyle::duration: {
+    const double scale = shown_unit(cell);
+    const int decimals = shown_decimals(cell);
+    text.value = with_sign(cell, fixed(cell.value / scale, decimals));
+    if (std::isfinite(cell.spread))
+      text.spread = cell.spread > 0 ? fixed(cell.spread / scale, decimals) : "0";
+    if (cell.style == CellStyle::duration)
+      text.unit = time_unit(std::abs(cell.value)).name;
+    break;
+  }
+  }
+  if (std::isfinite(cell.relative))
+    text.relative = fmt::format("{:+.1f}", 100 * cell.relative);
+  return text;
+}
+
+} // namespace tamp
