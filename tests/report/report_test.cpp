@@ -76,7 +76,7 @@ TEST_CASE("Jobs and metrics without a record are listed with the command that ru
   SyntheticCampaign campaign;
   const std::string key = campaign.add_ok(paper_scene(2), 0, 0.82, 0.2);
   campaign.records.erase(campaign.key_of_metric(key, 1));
-  campaign.add_metric(key, 5, {});
+  campaign.add_metric(key, 5, {{"z", 7}});
   campaign.records[campaign.key_of_metric(key, 5)].outcome = Outcome::failed;
   campaign.records[campaign.key_of_metric(key, 5)].reason = "empty packing";
   const std::string missing = campaign.plan_job(paper_scene(2), 1);
