@@ -56,7 +56,7 @@ constexpr std::array kReasons = {
         redraws_under_lid_3d, "⟨N_part⟩",
         "After a sphere that ends above the lid a new radius is drawn, which fills the last gap under the lid with the "
         "fine tail of the law; keeping the radius stops earlier, with fewer particles. ⟨N_part⟩ in 3D depends strongly "
-        "on this choice."},
+        "on this choice, and the fine particles beyond their share in the law raise ⟨H_N⟩ above its floor."},
 };
 
 } // namespace
