@@ -10,8 +10,7 @@
 namespace tamp {
 
 RadiusSampler::RadiusSampler(const SizeLaw& law, Sampler kind, std::uint64_t block, RandomStream stream)
-    : law_(law), block_(block), stream_(stream),
-      independent_(kind == Sampler::random && law.classes().empty()) {
+    : law_(law), block_(block), stream_(stream), independent_(kind == Sampler::random && law.classes().empty()) {
   if (block == 0)
     throw InputError("the block of a radius sampler must be at least 1");
 }
