@@ -14,11 +14,15 @@
 
 namespace tamp {
 
-/// One size class of a grid: spheres of radius in (largest/2, largest], about `expected` of them.
+/// One size class of a grid: spheres up to this radius that no smaller class holds, about `expected` of them.
 struct SizeClass {
   double largest = 0;
   double expected = 0;
 };
+
+/// Edge of a cell as a share of the mean distance of its spheres. Measured on the lognormal powder: from 0.5 to 1 the
+/// time of drop-and-roll changes by less than its noise; finer cells cost more than they save.
+inline constexpr double kCellPerSpacing = 0.7;
 
 /// ⌊x⌋ without the library call that std::floor is on machines of every age.
 inline std::int64_t floor_index(double x) {
@@ -72,29 +76,34 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
   struct Node {
     Vec<D> centre;
     double radius;
-    std::uint32_t next; // in the same cell
   };
 
-  /// One size class: cells at least as wide as its largest sphere, each the head of a list of nodes.
+  /// The spheres of a cell are neighbours in memory too: a look at a cell costs one or two cache lines, not one a
+  /// sphere.
+  struct Cell {
+    std::uint32_t begin = 0;
+    std::uint32_t count = 0;
+    std::uint32_t capacity = 0;
+  };
+
+  /// One size class: cells at least as wide as its largest sphere, each a run of nodes with room to grow.
   struct Level {
     double largest;
     Vec<D> size;
     std::array<bool, D> periodic;
-    std::array<std::int64_t, D> cells{};
+    std::array<std::int64_t, D> cells{}; // along each axis
     Vec<D> edge, inverse_edge;
-    std::vector<std::uint32_t> head;
-    std::vector<Node> nodes;
+    std::vector<Cell> grid;
+    std::vector<Node> nodes; // runs that outgrew their room were copied to the end; their old places stay unused
 
     Level(const Vec<D>& box, const std::array<bool, D>& wraps, const SizeClass& c)
         : largest(c.largest), size(box), periodic(wraps) {
-      // At most 2^D cells a sphere: a class with few members gets cells of half their mean distance.
+      // Not more than a few cells a sphere: a class with few members gets cells nearly as wide as their mean distance.
       const double spacing = std::pow(box.prod() / std::max(1.0, c.expected), 1.0 / D);
-      const double target = std::max(2 * c.largest, spacing / 2);
+      const double target = std::max(2 * c.largest, kCellPerSpacing * spacing);
       std::size_t total = 1;
       for (int a = 0; a < D; ++a) {
         const auto n = static_cast<std::size_t>(a);
@@ -103,7 +112,7 @@ private:
         inverse_edge[a] = 1 / edge[a];
         total *= static_cast<std::size_t>(cells[n]);
       }
-      head.assign(total, kNone);
+      grid.resize(total);
     }
 
     void insert(const Vec<D>& centre, double radius) {
@@ -114,8 +123,18 @@ private:
             std::clamp<std::int64_t>(static_cast<std::int64_t>(centre[a] * inverse_edge[a]), 0, cells[n] - 1);
         cell = cell * static_cast<std::size_t>(cells[n]) + static_cast<std::size_t>(i);
       }
-      nodes.push_back({centre, radius, head[cell]});
-      head[cell] = static_cast<std::uint32_t>(nodes.size() - 1);
+      Cell& home = grid[cell];
+      if (home.count == home.capacity)
+        move_to_end(home);
+      nodes[home.begin + home.count++] = {centre, radius};
+    }
+
+    void move_to_end(Cell& cell) {
+      const auto begin = static_cast<std::uint32_t>(nodes.size());
+      cell.capacity = std::max(2U, 2 * cell.capacity);
+      nodes.resize(nodes.size() + cell.capacity);
+      std::copy_n(nodes.begin() + cell.begin, cell.count, nodes.begin() + begin);
+      cell.begin = begin;
     }
 
     template <class F>
@@ -142,11 +161,12 @@ private:
 
     template <class F>
     void visit_cell(std::size_t cell, const Vec<D>& p, double reach, const Vec<D>& shift, F& f) const {
-      for (std::uint32_t k = head[cell]; k != kNone; k = nodes[k].next) {
-        const Vec<D> centre = nodes[k].centre + shift;
-        const double limit = nodes[k].radius + reach;
+      const Node* node = nodes.data() + grid[cell].begin;
+      for (const Node* end = node + grid[cell].count; node != end; ++node) {
+        const Vec<D> centre = node->centre + shift;
+        const double limit = node->radius + reach;
         if ((centre - p).squaredNorm() <= limit * limit)
-          f(centre, nodes[k].radius);
+          f(centre, node->radius);
       }
     }
 
@@ -182,11 +202,12 @@ private:
         for (std::size_t a = D; a-- > 0;) {
           cell = cell * static_cast<std::size_t>(cells[a]) + static_cast<std::size_t>(index[a]);
         }
-        for (std::uint32_t k = head[cell]; k != kNone; k = nodes[k].next) {
-          const Vec<D> centre = nodes[k].centre + shift;
-          const double limit = nodes[k].radius + reach;
+        const Node* node = nodes.data() + grid[cell].begin;
+        for (const Node* end = node + grid[cell].count; node != end; ++node) {
+          const Vec<D> centre = node->centre + shift;
+          const double limit = node->radius + reach;
           if ((centre - p).template head<D - 1>().squaredNorm() < limit * limit)
-            stopped_at = f(centre, nodes[k].radius);
+            stopped_at = f(centre, node->radius);
         }
       }
     }

@@ -36,11 +36,15 @@ double expected_count(const Scene& scene, const SizeLaw& law) {
   return std::max(1.0, kGuessedPhi * box / sphere);
 }
 
-/// Size classes by factors of two from the largest radius of the law down to its smallest.
+/// Ratio of radii within one class of the grid. Measured on the lognormal powder in 3D, 4 is a sixth faster than 2:
+/// each class is one more search a sphere, each factor one more look at spheres out of reach. 8 is slower again.
+constexpr double kClassRatio = 4;
+
+/// Size classes from the largest radius of the law down to its smallest.
 std::vector<SizeClass> size_classes(const SizeLaw& law, double expected) {
   std::vector<SizeClass> classes;
-  for (double top = law.largest(); top >= law.smallest(); top /= 2) {
-    const double share = law.cdf(top) - law.cdf(top / 2);
+  for (double top = law.largest(); top >= law.smallest(); top /= kClassRatio) {
+    const double share = law.cdf(top) - law.cdf(top / kClassRatio);
     classes.push_back({top, expected * share});
   }
   return classes;
