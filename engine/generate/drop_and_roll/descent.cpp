@@ -8,10 +8,6 @@ namespace tamp {
 
 namespace {
 
-/// Arcs shorter than this angle (as u = tan(t/2)) do not move a sphere by more than rounding: a contact met within it
-/// is met at once.
-constexpr double kBlocked = 1e-13;
-
 /// A descent has a handful of events; a large sphere settling through small ones has thousands. Beyond this many,
 /// rounding must be turning it in circles.
 constexpr int kMaxSteps = 1000000;
@@ -70,9 +66,10 @@ typename Descent<D>::Step Descent<D>::step() {
     return Step::stable;
   if (fall_is_free())
     return fall();
-  Path path;
-  if (choose_path(path))
-    return follow(path);
+  Path<D> path;
+  Support<D> guide;
+  if (choose_path(path, guide))
+    return follow(path, guide);
   return is_supported(false) ? Step::stable : Step::stuck;
 }
 
@@ -122,16 +119,18 @@ typename Descent<D>::Step Descent<D>::fall() {
 /// The first set of contacts that gravity presses on and that has an arc nothing else blocks. Generically there is one;
 /// where several touch at the same instant the order of the search decides.
 template <int D>
-bool Descent<D>::choose_path(Path& path) const {
-  constexpr int sides = 2 * (D - 1);
+bool Descent<D>::choose_path(Path<D>& path, Support<D>& guide) const {
   for (int size = 1; size < D; ++size) {
     const bool found = for_each_support<D>(touching_.size(), size, [&](Support<D>& support) {
       if (!presses(normals_, support) || !admissible(support))
         return false;
+      guide = support;
       // Balanced on a top, a sphere may go either way; it takes the first that is free.
       const bool balanced = support.velocity.norm() < kDirection;
-      for (int side = 0; side < (balanced ? sides : 1); ++side) {
-        if (make_path(support, balanced ? side : -1, path) && !is_blocked(path))
+      const int first = balanced ? 0 : kDownhill;
+      const int last = balanced ? kSides<D> - 1 : kDownhill;
+      for (int side = first; side <= last; ++side) {
+        if (make_path(support, side, path) && !is_blocked(path, support))
           return true;
       }
       return false;
@@ -148,103 +147,28 @@ bool Descent<D>::admissible(const Support<D>& support) const {
                      [&](const Vec<D>& n) { return support.velocity.dot(n) >= -kDirection; });
 }
 
-/// The arc around one sphere in the vertical plane of its centre, or around the common axis of two contacts. It ends at
-/// its lowest point or where one of the contacts would have to pull. `side` chooses a direction for a balanced sphere;
-/// −1 for any other.
+/// The path that a support guides; false where there is none. Walls alone guide nothing: the sphere falls along them.
 template <int D>
-bool Descent<D>::make_path(const Support<D>& support, int side, Path& path) const {
-  const auto member = [&](int i) -> const Constraint<D>& {
-    return touching_[support.member[static_cast<std::size_t>(i)]];
-  };
-  const bool first_is_sphere = member(0).is_sphere();
-  const Constraint<D>& ball = first_is_sphere ? member(0) : member(support.count - 1);
-  if (!ball.is_sphere())
-    return false; // walls alone guide nothing: the sphere falls along them
-
-  Arc<D>& arc = path.arc;
-  Sinusoid departure[2]; // each falls below zero where a contact would have to pull
-  int departures = 1;
-  if (support.count == 1) {
-    const Vec<D> n = ball.normal(p_);
-    Vec<D> level = n; // horizontal part of the normal
-    level[vertical<D>] = 0;
-    const double slope = level.norm();
-    Vec<D> downhill = -slope * Vec<D>::Unit(vertical<D>);
-    if (side < 0) {
-      downhill += (n[vertical<D>] / slope) * level;
-    } else {
-      downhill = (side % 2 == 0 ? 1.0 : -1.0) * Vec<D>::Unit(side / 2);
-      downhill = (downhill - n * n.dot(downhill)).normalized();
-    }
-    arc = {ball.anchor, ball.reach * n, ball.reach * downhill};
-    departure[0] = arc.height(vertical<D>, ball.anchor[vertical<D>]);
-  } else if constexpr (D == 3) {
-    const Constraint<D>& other = first_is_sphere ? member(1) : member(0);
-    Vec<D> axis = Vec<D>::Zero();
-    double foot = 0; // of the arc's centre along the axis, from the ball's anchor
-    double other_distance = 0;
-    if (other.is_sphere()) {
-      axis = other.anchor - ball.anchor;
-      other_distance = axis.norm();
-      axis /= other_distance;
-      foot = (other_distance + (ball.reach - other.reach) * (ball.reach + other.reach) / other_distance) / 2;
-    } else {
-      axis = Vec<D>::Unit(other.axis);
-      foot = other.anchor[other.axis] - ball.anchor[other.axis];
-    }
-    const double h2 = (ball.reach - foot) * (ball.reach + foot);
-    if (h2 <= ball.tolerance * ball.reach)
-      return false; // the circle has shrunk to a point
-    arc.centre = ball.anchor + foot * axis;
-    arc.first = p_ - arc.centre;
-    arc.first -= axis * axis.dot(arc.first);
-    arc.first *= std::sqrt(h2) / arc.first.norm();
-    arc.second = axis.cross(arc.first);
-    if (side < 0 ? arc.second[2] > 0 : side % 2 == 1)
-      arc.second = -arc.second;
-    const Sinusoid z = arc.height(2, 0);
-    if (other.is_sphere()) {
-      // λ_1 ∝ n_1z − g n_2z with g = n_1·n_2 constant along the arc, and the same with the roles exchanged
-      const double g = (ball.reach * ball.reach + other.reach * other.reach - other_distance * other_distance) /
-                       (2 * ball.reach * other.reach);
-      const auto multiplier = [&](const Constraint<D>& one, const Constraint<D>& two) {
-        const double k = 1 / one.reach - g / two.reach;
-        const double at_centre =
-            (arc.centre[2] - one.anchor[2]) / one.reach - g * (arc.centre[2] - two.anchor[2]) / two.reach;
-        return Sinusoid{at_centre, k * z.b, k * z.c};
-      };
-      departure[0] = multiplier(ball, other);
-      departure[1] = multiplier(other, ball);
-      departures = 2;
-    } else {
-      departure[0] = arc.height(2, ball.anchor[2]);
-    }
+bool Descent<D>::make_path(const Support<D>& support, int side, Path<D>& path) const {
+  const Constraint<D>& first = touching_[support.member[0]];
+  if (support.count == 1)
+    return first.is_sphere() && roll_around(first, p_, side, path);
+  if constexpr (D == 3) {
+    const Constraint<D>& second = touching_[support.member[1]];
+    if (first.is_sphere())
+      return roll_along(first, second, p_, side, path);
+    return second.is_sphere() && roll_along(second, first, p_, side, path);
   }
-
-  const double rise = arc.first[vertical<D>];
-  const double run = std::max(0.0, -arc.second[vertical<D>]);
-  if (std::hypot(rise, run) <= kDirection * ball.reach)
-    return false; // a level circle leads nowhere
-  path.end = ArcPoint::towards(-rise, run);
-  path.ends_at_lowest = true;
-  path.support = support;
-  for (int i = 0; i < departures; ++i) {
-    ArcPoint where;
-    if (entering(departure[i], 0, path.end, where) < path.end.u) {
-      path.end = where;
-      path.ends_at_lowest = false;
-    }
-  }
-  return path.ends_at_lowest || path.end.u > kBlocked;
+  return false;
 }
 
 /// Whether a contact that does not guide the path stops it before it has moved the sphere by more than the tolerance
 /// within which that contact touches.
 template <int D>
-bool Descent<D>::is_blocked(const Path& path) const {
+bool Descent<D>::is_blocked(const Path<D>& path, const Support<D>& guide) const {
   for (std::size_t j = 0; j < touching_.size(); ++j) {
-    const auto* last = path.support.member.begin() + path.support.count;
-    if (std::find(path.support.member.begin(), last, j) != last)
+    const auto* last = guide.member.begin() + guide.count;
+    if (std::find(guide.member.begin(), last, j) != last)
       continue;
     ArcPoint where;
     const double angle = 2 * touching_[j].stops(path.arc, path.end, where); // near enough where it is small
@@ -255,10 +179,10 @@ bool Descent<D>::is_blocked(const Path& path) const {
 }
 
 template <int D>
-typename Descent<D>::Step Descent<D>::follow(const Path& path) {
+typename Descent<D>::Step Descent<D>::follow(const Path<D>& path, const Support<D>& guide) {
   const auto guides = [&](const Constraint<D>& c) {
-    for (int i = 0; i < path.support.count; ++i) {
-      if (same(c, touching_[path.support.member[static_cast<std::size_t>(i)]]))
+    for (int i = 0; i < guide.count; ++i) {
+      if (same(c, touching_[guide.member[static_cast<std::size_t>(i)]]))
         return true;
     }
     return false;
@@ -279,18 +203,18 @@ typename Descent<D>::Step Descent<D>::follow(const Path& path) {
 
   if (leaves) {
     p_ = path.arc.point(exit);
-    drop_contacts(path.support);
+    drop_contacts(guide);
     gather();
     return Step::moved;
   }
-  if (met != nullptr && best.u <= kBlocked) {
+  if (met != nullptr && best.u <= kNoMotion) {
     if (is_touching(*met))
       return Step::stuck;
     add_touching(*met);
     return Step::moved;
   }
   p_ = path.arc.point(best);
-  drop_contacts(path.support);
+  drop_contacts(guide);
   if (met != nullptr) {
     if (!is_touching(*met))
       add_touching(*met);

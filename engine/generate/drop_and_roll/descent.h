@@ -4,6 +4,7 @@
 
 #include "engine/base/vec.h"
 #include "engine/generate/drop_and_roll/constraint.h"
+#include "engine/generate/drop_and_roll/path.h"
 #include "engine/generate/drop_and_roll/support.h"
 #include "engine/search/hierarchical_grid.h"
 
@@ -41,24 +42,16 @@ public:
 private:
   enum class Step { moved, stable, stuck };
 
-  /// A way on from the present position: an arc with the contacts that guide it and the point where it ends by itself.
-  struct Path {
-    Arc<D> arc;
-    ArcPoint end;
-    Support<D> support;
-    bool ends_at_lowest = false;
-  };
-
   void gather();
   Step step();
   bool is_supported(bool firmly) const;
   bool fall_is_free() const;
   Step fall();
-  bool choose_path(Path& path) const;
+  bool choose_path(Path<D>& path, Support<D>& guide) const;
   bool admissible(const Support<D>& support) const;
-  bool make_path(const Support<D>& support, int side, Path& path) const;
-  bool is_blocked(const Path& path) const;
-  Step follow(const Path& path);
+  bool make_path(const Support<D>& support, int side, Path<D>& path) const;
+  bool is_blocked(const Path<D>& path, const Support<D>& guide) const;
+  Step follow(const Path<D>& path, const Support<D>& guide);
   void drop_contacts(const Support<D>& guide);
   void add_touching(const Constraint<D>& constraint);
   bool is_touching(const Constraint<D>& constraint) const;
