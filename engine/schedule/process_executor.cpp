@@ -19,6 +19,10 @@ namespace {
 constexpr std::uint64_t kProgramBytes = 64'000'000;
 constexpr int kExitNotLoaded = 127;
 
+/// Share of its budget that a job must have in use for its SIGKILL to be laid to the kernel's want of memory. A job
+/// killed by hand has failed, and the next run tries it again.
+constexpr double kMemorySuspect = 0.5;
+
 /// Sanitizers reserve terabytes of address space, so a program built with one cannot run under a limit of it.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kLimitsMemory = false;
@@ -46,23 +50,33 @@ ProcessExecutor::ProcessExecutor(std::function<ChildJob(const Task&)> prepare, P
 std::optional<Record> ProcessExecutor::run(const Task& task, std::optional<int> core, std::stop_token stop) {
   const ChildJob child = prepare_(task);
   const std::string start = utc_now();
-  const ProcessResult result =
-      run_process({.argv = child.argv,
-                   .log = child.log,
-                   .limits = {.wall_s = task.run.wall_s, .memory_bytes = kLimitsMemory ? memory_bytes(task.run) : 0},
-                   .core = core},
-                  std::move(stop));
+  const auto unfinished = [&](const Verdict& verdict) {
+    Record record = blank_record(task.planned, origin_);
+    record.outcome = verdict.outcome;
+    record.reason = verdict.reason;
+    record.provenance.start_utc = start;
+    record.provenance.end_utc = utc_now();
+    record.timing.mode = core ? TimingMode::exclusive : TimingMode::shared;
+    return record;
+  };
+  ProcessResult result;
+  try {
+    result =
+        run_process({.argv = child.argv,
+                     .log = child.log,
+                     .limits = {.wall_s = task.run.wall_s, .memory_bytes = kLimitsMemory ? memory_bytes(task.run) : 0},
+                     .core = core},
+                    std::move(stop));
+  } catch (const Error& error) {
+    // The machine had no room for one more process just then; the next run tries again.
+    return unfinished({Outcome::failed, error.what()});
+  }
 
   std::optional<Record> record = child.collect(); // whole if there is one at all, so it counts however the child ended
   if (!record) {
     if (result.end == ProcessResult::End::cancelled)
       return std::nullopt;
-    const Verdict verdict = judge_child(result, task.run);
-    record = blank_record(task.planned, origin_);
-    record->outcome = verdict.outcome;
-    record->reason = verdict.reason;
-    record->provenance.start_utc = start;
-    record->provenance.end_utc = utc_now();
+    record = unfinished(judge_child(result, task.run));
   } else if (record->key != task.planned.key) {
     throw Error(fmt::format("the child that ran job {} left the record of job {}", task.planned.key, record->key));
   }
@@ -87,8 +101,9 @@ Verdict judge_child(const ProcessResult& result, const RunSettings& run) {
   case End::cpu_limit:
     return {Outcome::time_limited, fmt::format("used up its CPU time of {:g} s", result.cpu_s)};
   case End::signalled:
-    if (result.code == SIGKILL) // nobody else sends it in the ordinary course of things
-      return no_memory("killed by SIGKILL, as the kernel does when memory runs out");
+    if (result.code == SIGKILL &&
+        static_cast<double>(result.peak_rss_bytes) >= kMemorySuspect * 1e6 * static_cast<double>(run.memory_mb))
+      return no_memory("killed by SIGKILL with much memory in use, as the kernel does when memory runs out");
     return {Outcome::failed, with_tail("ended by signal " + signal_name(result.code), result.log_tail)};
   case End::exited:
     if (result.code == kExitOutOfMemory)

@@ -80,7 +80,29 @@ TEST_CASE("a crash names its signal") {
 
 TEST_CASE("a child that runs out of memory is memory-limited, whether it notices or is killed") {
   CHECK(run_script("exit " + std::to_string(kExitOutOfMemory), task_of())->outcome == Outcome::memory_limited);
-  CHECK(run_script("kill -KILL $$", task_of())->outcome == Outcome::memory_limited);
+
+  ProcessResult killed;
+  killed.end = ProcessResult::End::signalled;
+  killed.code = SIGKILL;
+  RunSettings run;
+  run.memory_mb = 1000;
+  killed.peak_rss_bytes = 900'000'000;
+  CHECK(judge_child(killed, run).outcome == Outcome::memory_limited);
+}
+
+TEST_CASE("a small child killed by hand has failed, so that it is tried again") {
+  const std::optional<Record> record = run_script("kill -KILL $$", task_of());
+  CHECK(record->outcome == Outcome::failed);
+  CHECK_THAT(record->reason, Catch::Contains("SIGKILL"));
+}
+
+TEST_CASE("a child that cannot even be started is an outcome too") {
+  ProcessExecutor executor([](const Task&) { return ChildJob{.argv = {"/no/such/program"}, .log = {}, .collect = {}}; },
+                           {});
+  const std::optional<Record> record = executor.run(task_of(), std::nullopt, {});
+  REQUIRE(record);
+  CHECK(record->outcome == Outcome::failed);
+  CHECK_THAT(record->reason, Catch::Contains("/no/such/program"));
 }
 
 TEST_CASE("a budget below the size of the program itself is one of memory too") {
