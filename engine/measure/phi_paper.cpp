@@ -1,4 +1,5 @@
 // Packing fraction by the paper's clipped estimator, for comparison with its tables.
+#include "engine/base/error.h"
 #include "engine/base/parallel.h"
 #include "engine/measure/ball_in_box.h"
 #include "engine/measure/metrics.h"
@@ -39,6 +40,8 @@ std::vector<Measure> phi_paper(const Metric& metric, const Packing& packing) {
     }
     return {share * std::pow(r, D), 1};
   });
+  if (all.count == 0)
+    throw NotApplicable("the paper's estimator needs a sphere whose centre is inside the sub-box");
   return {{"phi_paper", all.measure / box.measure(), "1"}, {"N_PB", all.count, "1"}};
 }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace tamp {
@@ -24,6 +25,7 @@ template <int D>
 SubBox<D> sub_box(const Packing& packing, double inset) {
   Vec<D> low = packing.centre<D>(0);
   Vec<D> high = low;
+  const double largest = *std::max_element(packing.radii.begin(), packing.radii.end());
   for (std::size_t i = 1; i < packing.count(); ++i) {
     low = low.cwiseMin(packing.centre<D>(i));
     high = high.cwiseMax(packing.centre<D>(i));
@@ -34,9 +36,11 @@ SubBox<D> sub_box(const Packing& packing, double inset) {
       low[a] = 0;
       high[a] = packing.size[axis];
     }
-    if (!(high[a] > low[a])) {
-      throw Error(fmt::format("the density needs a box, but the {} sphere centres span no length along axis {}",
-                              packing.count(), a));
+    if (!(high[a] - low[a] > largest)) {
+      throw NotApplicable(
+          fmt::format("the density needs a box, but the {} sphere centres span only {:g} along axis {}, "
+                      "less than the largest radius {:g}",
+                      packing.count(), high[a] - low[a], a, largest));
     }
   }
   const Vec<D> cut = inset * (high - low);
