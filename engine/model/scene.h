@@ -39,6 +39,21 @@ struct Problem {
   std::string message;
 };
 
+/// Longest box edge in units of the smallest radius. Coordinates carry a rounding of 1e-16 of the edge; at this limit
+/// that is a hundredth of a contact's tolerance. Drop-and-roll was seen to lose spheres from 1e6 on.
+inline constexpr double kLongestBox = 1e5;
+
+/// Spheres a box may make room for.
+inline constexpr double kMostSpheres = 1e9;
+
+/// Packing fraction assumed where the number of spheres must be guessed before they are drawn.
+inline constexpr double kGuessedPhi = 0.6;
+
+class SizeLaw;
+
+/// About as many spheres of the law as fill the box of a completed scene.
+double full_box_count(const Scene& scene, const SizeLaw& law);
+
 /// The scene in its one canonical form: `size` has `dimension` numbers, the law its own parameters.
 Scene completed(Scene scene);
 

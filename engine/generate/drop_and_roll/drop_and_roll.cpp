@@ -12,15 +12,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace tamp {
 
 namespace {
-
-/// Density assumed where the number of spheres must be guessed before they are drawn; it sizes cells and strata only.
-constexpr double kGuessedPhi = 0.6;
 
 /// Placed spheres between two calls of the progress function.
 constexpr std::size_t kProgressStride = 4096;
@@ -28,12 +24,7 @@ constexpr std::size_t kProgressStride = 4096;
 double expected_count(const Scene& scene, const SizeLaw& law) {
   if (scene.count > 0)
     return static_cast<double>(scene.count);
-  double box = 1;
-  for (const double edge : scene.size)
-    box *= edge;
-  const auto d = static_cast<int>(scene.dimension);
-  const double sphere = (d == 2 ? std::numbers::pi : 4 * std::numbers::pi / 3) * law.moment(d);
-  return std::max(1.0, kGuessedPhi * box / sphere);
+  return std::max(1.0, full_box_count(scene, law));
 }
 
 /// Ratio of radii within one class of the grid. Measured on the lognormal powder in 3D, 4 is a sixth faster than 2:
