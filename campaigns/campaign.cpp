@@ -21,7 +21,7 @@ std::string similar_file(const std::filesystem::path& file) {
   std::error_code ignored;
   const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
-    if (entry.path().extension() == ".json" && entry.path() != file)
+    if (entry.path().extension() == ".json" && !std::filesystem::equivalent(entry.path(), file, ignored))
       names.push_back(entry.path().filename().string());
   }
   std::sort(names.begin(), names.end());
@@ -50,7 +50,9 @@ Plan read_campaign(std::string_view text, const std::filesystem::path& file) {
 Plan load_campaign(const std::filesystem::path& file) {
   std::string text;
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored))
+  if (std::filesystem::is_directory(file, ignored))
+    throw InputError(file.string() + ": this is a folder; allowed: a campaign file");
+  if (!std::filesystem::exists(file, ignored))
     throw InputError(file.string() + ": there is no such file" + similar_file(file));
   try {
     text = read_file(file);

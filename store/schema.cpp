@@ -6,6 +6,7 @@
 #include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <array>
 
@@ -109,13 +110,32 @@ void bring_up_to_date(SQLite::Database& database, std::span<const char* const> s
   transaction.commit();
 }
 
+namespace {
+
+/// The file as an SQLite URI for a place that cannot be written to. SQLite then needs neither the lock nor the shared
+/// memory files of its write-ahead log, which it could not make there.
+std::string immutable_uri(const std::filesystem::path& file) {
+  std::string uri = "file:";
+  for (const char c : file.string()) {
+    if (c == '%' || c == '?' || c == '#') {
+      uri += fmt::format("%{:02X}", static_cast<unsigned>(c));
+    } else {
+      uri += c;
+    }
+  }
+  return uri + "?immutable=1";
+}
+
+} // namespace
+
 SQLite::Database open_database(const std::filesystem::path& file, bool writable) {
   if (!writable && !std::filesystem::exists(file)) {
     throw Error(fmt::format("there is no store in {}: {} is missing; `tamp run` makes one", file.parent_path().string(),
                             file.string()));
   }
-  const int flags = writable ? SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE : SQLite::OPEN_READONLY;
-  SQLite::Database database(file.string(), flags, busy_timeout_ms);
+  const bool fixed = !writable && ::access(file.parent_path().c_str(), W_OK) != 0;
+  const int flags = writable ? SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE : SQLite::OPEN_READONLY | SQLite::OPEN_URI;
+  SQLite::Database database(fixed ? immutable_uri(file) : file.string(), flags, busy_timeout_ms);
   database.exec(fmt::format("PRAGMA foreign_keys = ON; PRAGMA cache_size = -{}", cache_kib));
   if (writable) {
     bring_up_to_date(database, schema_steps());

@@ -24,24 +24,40 @@ namespace fs = std::filesystem;
 
 constexpr const char* kJobFile = ".job";
 constexpr const char* kLogFile = ".log";
+constexpr const char* kSetAside = ".damaged";
 
 /// The file of a job among the incoming ones.
 fs::path incoming_file(const Store& store, const std::string& key, const char* extension) {
   return store.incoming() / (key + extension);
 }
 
-/// A generation job as a child: this program, started anew.
+/// A generation job as a child: this program, started anew. The child finds the very file this process runs, even if it
+/// has been replaced or removed since.
 ChildJob prepare_child(const Store& store, const Task& task) {
   const std::string& key = task.planned.key;
   const fs::path job = incoming_file(store, key, kJobFile);
   const fs::path result = incoming_file(store, key, ".json");
   write_atomically(job, job_json(task.planned.job));
-  return {
-      .argv = {fs::read_symlink("/proc/self/exe").string(), "job", job.string(), "--out", store.incoming().string()},
-      .log = incoming_file(store, key, kLogFile),
-      .collect = [result]() -> std::optional<Record> {
-        return fs::exists(result) ? std::optional(read_record(result)) : std::nullopt;
-      }};
+  return {.argv = {"/proc/self/exe", "job", job.string(), "--out", store.incoming().string()},
+          .log = incoming_file(store, key, kLogFile),
+          .collect = [result]() -> std::optional<Record> {
+            return fs::exists(result) ? std::optional(read_record(result)) : std::nullopt;
+          }};
+}
+
+/// The packing of a job. One that cannot be read is set aside under another name, so that the next run makes it again.
+Packing read_or_set_aside(const Store& store, const std::string& key) {
+  try {
+    return store.read_packing(key);
+  } catch (const Error& e) {
+    const fs::path file = store.packing_path(key);
+    std::error_code failed;
+    fs::rename(file, file.string() + kSetAside, failed);
+    if (failed)
+      throw;
+    throw Error(fmt::format("{}; it has been set aside as {}{}, and the next run makes it again", e.what(),
+                            file.filename().string(), kSetAside));
+  }
 }
 
 /// Measures a stored packing and times that. CPU time is that of the measuring thread alone, as other jobs run beside.
@@ -56,13 +72,16 @@ Record measure_stored(const Store& store, const Provenance& origin, const Task& 
   record.provenance = origin;
   record.provenance.start_utc = utc_now();
   try {
-    const Packing packing = store.read_packing(task.planned.key);
+    const Packing packing = read_or_set_aside(store, task.planned.key);
     const double wall = steady_seconds();
     const double cpu = thread_cpu_seconds();
     record.measures = measure(metric, packing, task.planned.job.scene);
     record.timing.cpu_s = thread_cpu_seconds() - cpu;
     record.timing.wall_s = steady_seconds() - wall;
     record.outcome = Outcome::ok;
+  } catch (const NotApplicable& e) {
+    record.outcome = Outcome::not_applicable;
+    record.reason = e.what();
   } catch (const std::exception& e) {
     record.outcome = Outcome::failed;
     record.reason = e.what();

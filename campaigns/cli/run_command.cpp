@@ -65,6 +65,9 @@ int run(const Options& options) {
   if (agenda.count(Standing::open) == 0) {
     const Summary summary{.recorded = recorded_outcomes(agenda), .barred = agenda.count(Standing::barred)};
     fmt::print("nothing to do: {} jobs already recorded ({})\n", total(summary.recorded), in_words(summary.recorded));
+    const auto limited = [&](Outcome outcome) { return summary.recorded[static_cast<std::size_t>(outcome)]; };
+    if (limited(Outcome::time_limited) + limited(Outcome::memory_limited) > 0)
+      fmt::print("with a raised budget, --retry-limited runs those again that ran out of time or memory\n");
     return exit_code(summary);
   }
   const Summary summary = run_here(store, agenda, options.resources, progress, interrupt.token());

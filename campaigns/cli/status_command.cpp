@@ -2,6 +2,7 @@
 #include "campaigns/cli/command.h"
 #include "campaigns/cli/names.h"
 #include "campaigns/cli/open_store.h"
+#include "engine/base/error.h"
 
 #include <fmt/format.h>
 
@@ -68,6 +69,15 @@ void print_campaign(const Store& store, const StoredCampaign& campaign,
   print_failed_metrics(store, jobs);
 }
 
+/// Whether somebody runs jobs on the store; where the lock cannot be opened (a read-only place) nobody does from here.
+bool is_in_use(const Store& store) {
+  try {
+    return std::filesystem::exists(store.jobs_lock()) && !FileLock::try_lock(store.jobs_lock());
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 int status(const std::string& folder) {
   const Store store = open_for_reading(folder);
   const std::map<std::string, Outcome> outcomes = store.outcomes(JobKind::generation);
@@ -76,7 +86,7 @@ int status(const std::string& folder) {
     print_campaign(store, campaign, outcomes);
   if (campaigns.empty())
     fmt::print("no campaign has been run in {}\n", folder);
-  if (std::filesystem::exists(store.jobs_lock()) && !FileLock::try_lock(store.jobs_lock()))
+  if (is_in_use(store))
     fmt::print("in use: {} is running jobs\n", FileLock::holder(store.jobs_lock()));
   return kOk;
 }

@@ -37,6 +37,26 @@ TEST_CASE("a campaign runs, and running it again does nothing") {
   CHECK_THAT(shop.tamp("status").out, Contains("discs (discs.json): 3 of 3 packings recorded: 3 ok"));
 }
 
+TEST_CASE("a damaged packing is set aside when it is needed and made again by the next run") {
+  const Workshop shop(TAMP_BINARY);
+  shop.write("discs.json", disc_campaign(20, 1, R"(, "metrics": ["phi"])"));
+  REQUIRE(shop.tamp("run discs.json").code == 0);
+  const auto before = digests(shop.folder() / "tamp-store" / "packings");
+  for (const auto& entry : fs::recursive_directory_iterator(shop.folder() / "tamp-store" / "packings")) {
+    if (entry.is_regular_file())
+      fs::resize_file(entry.path(), 500);
+  }
+  shop.write("discs.json", disc_campaign(20, 1, R"(, "metrics": ["phi", "overlap"])"));
+  const Said found = shop.tamp("run discs.json");
+  CHECK(found.code == 1);
+  CHECK_THAT(found.err, Contains("is damaged") && Contains("set aside"));
+  CHECK(shop.tamp("run discs.json").code == 0);
+  auto after = digests(shop.folder() / "tamp-store" / "packings");
+  CHECK(after.size() == before.size() + 1); // the damaged one is kept
+  for (const auto& [file, digest] : before)
+    CHECK(after.at(file) == digest);
+}
+
 TEST_CASE("an added replicate runs alone") {
   const Workshop shop(TAMP_BINARY);
   shop.write("discs.json", disc_campaign(20, 2));
