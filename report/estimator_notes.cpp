@@ -94,9 +94,9 @@ Note columns_note(const NotesInput& input) {
                         canonical_number(100 * metric->inset));
   text +=
       " ⟨overlap_max⟩: deepest overlap of two particles, or of one with a wall, relative to the smaller radius, in the "
-      "worst replicate. ⟨stable_alone⟩: share of the particles whose centre projects inside the hull of their "
-      "supports, in the worst "
-      "replicate; 1 means all. ⟨z⟩: mean number of contacts of a particle with others, walls not counted.";
+      "worst replicate. ⟨stable_alone⟩: share of the particles in equilibrium under their weight with their "
+      "neighbours held, in the worst replicate; 1 means all. ⟨z⟩: mean number of contacts of a particle with others, "
+      "walls not counted.";
   if (const Metric* metric = find_metric(input.plan, MetricName::coordination))
     text +=
         fmt::format(" A contact is a gap of at most {} of the smaller radius.", canonical_number(metric->contact_gap));

@@ -157,7 +157,10 @@ std::vector<Parameter<Method>> method_table() {
           "lid", "1", kAny, "A sphere must end wholly below the top of the box, else it counts as a failure.",
           [](Method & m) -> auto& { return m.drop_and_roll.lid; }, drop_words, drop),
       row<Method>(
-          "on_failure", "1", kAny, "After a failure: draw a new radius, or keep it for the next attempt.",
+          "on_failure", "1", kAny,
+          "After a failure: draw a new radius (the paper's way; it fills the last gap with fines and so shifts the "
+          "size "
+          "distribution), or keep it for the next attempt (keeps to the law).",
           [](Method & m) -> auto& { return m.drop_and_roll.on_failure; }, drop_words, drop),
       row<Method>(
           "max_failures", "1", {1, 1e9}, "N_max: this many failures in a row end the packing.",
