@@ -16,7 +16,7 @@ using namespace tamp;
 namespace {
 
 nlohmann::json reference() {
-  return nlohmann::json::parse(read_file(std::filesystem::path(__FILE__).parent_path() / "paper_tables.json"));
+  return nlohmann::json::parse(read_file(std::filesystem::path(TAMP_SOURCE_DIR) / "tests/report/paper_tables.json"));
 }
 
 /// Whether the value is one that its printed digits can say.
