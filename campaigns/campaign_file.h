@@ -52,6 +52,7 @@ struct SweepBlock {
 struct MethodEntry {
   Method method;
   std::string label;
+  std::optional<std::size_t> from; ///< the entry whose packings it starts from, always one further up
 };
 
 struct CampaignFile {

@@ -222,6 +222,7 @@ private:
           of_point[statement.path] = statement.words;
       }
     }
+    std::vector<std::vector<std::string>> keys; // of each entry and replicate
     for (const MethodEntry& entry : file_.methods) {
       PlannedJob planned;
       planned.job = {scene, entry.method, repeats.seed, 0, ""};
@@ -235,9 +236,13 @@ private:
           }
         }
       }
+      keys.emplace_back();
       for (std::int64_t i = 0; i < repeats.replicates; ++i) {
         planned.job.replicate = i;
+        if (entry.from)
+          planned.job.parent = keys[*entry.from][static_cast<std::size_t>(i)];
         planned.key = job_key(planned.job);
+        keys.back().push_back(planned.key);
         if (keys_.insert(planned.key).second)
           jobs_.push_back(planned);
       }

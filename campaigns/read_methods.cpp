@@ -16,8 +16,8 @@ using Kind = JsonNode::Kind;
 template <class Root>
 struct Entry {
   Root root;
-  const JsonNode* label = nullptr;
-  std::string label_pointer;
+  const JsonNode* label = nullptr; ///< of methods alone, as is `from`
+  const JsonNode* from = nullptr;
 };
 
 /// Tells what is wrong with a key that no row of this entry's name has.
@@ -30,7 +30,7 @@ void wrong_key(const JsonMember& member, const std::string& pointer, std::span<c
       applying.emplace_back(row.path);
   }
   if (labelled)
-    applying.emplace_back("label");
+    applying.insert(applying.end(), {"label", "from"});
   if (const auto* row = find_row(table, member.key)) {
     mistakes.add({{pointer, member.offset},
                   fmt::format("\"{}\" does not apply to {}: it counts only when {}", member.key, name, row->when),
@@ -68,7 +68,8 @@ std::optional<Entry<Root>> read_entry(const JsonNode& node, const std::string& p
       continue;
     if (labelled && member.key == "label") {
       entry.label = &member.value;
-      entry.label_pointer = inner;
+    } else if (labelled && member.key == "from") {
+      entry.from = &member.value;
     } else if (row == nullptr || !row->applies(entry.root)) {
       wrong_key(member, inner, table, entry.root, labelled, std::get<std::string>(*leaf), mistakes);
     } else if (const auto value = read_value(member.value, ValueRule(*row), inner, mistakes)) {
@@ -82,6 +83,44 @@ bool is_label(std::string_view text) {
   constexpr std::size_t longest = 100;
   return !text.empty() && text.size() <= longest &&
          std::none_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; });
+}
+
+void read_label(const JsonNode& node, const std::string& pointer, MethodEntry& method, Reading& reading) {
+  if (!expect_kind(node, Kind::text, "a text", pointer, reading.mistakes))
+    return;
+  method.label = node.text;
+  if (!is_label(method.label))
+    reading.mistakes.add({{pointer, node.offset}, "the label is empty or too long", "1 to 100 bytes on one line", ""});
+}
+
+/// Sets what the entry starts from: `node` (null if there is none) is the label of an entry read before.
+void read_from(const JsonNode* node, const Place& place, MethodEntry& method, Reading& reading) {
+  const Start start = info(method.method.name).start;
+  std::vector<std::string> labels;
+  for (const MethodEntry& entry : reading.file.methods)
+    labels.push_back(entry.label);
+  if (node == nullptr) {
+    if (start == Start::packing)
+      reading.mistakes.add({place,
+                            fmt::format("{} starts from the packing of another method, and \"from\" is missing",
+                                        name_of(method.method.name)),
+                            labels.empty() ? "the label of an entry further up" : quoted_list(labels), ""});
+    return;
+  }
+  if (start == Start::scene) {
+    reading.mistakes.add(
+        {place, fmt::format("{} does not start from a packing", name_of(method.method.name)), "no \"from\"", ""});
+    return;
+  }
+  if (!expect_kind(*node, Kind::text, "the label of an entry further up", place.pointer, reading.mistakes))
+    return;
+  const auto found = std::find(labels.begin(), labels.end(), node->text);
+  if (found != labels.end())
+    method.from = static_cast<std::size_t>(found - labels.begin());
+  else if (reading.file.whole) // else it may be the label of an entry that was not understood
+    reading.mistakes.add({place, fmt::format("no entry further up has the label \"{}\"", node->text),
+                          labels.empty() ? "the label of an entry further up" : quoted_list(labels),
+                          nearest(node->text, labels)});
 }
 
 } // namespace
@@ -101,22 +140,18 @@ void read_methods(const JsonNode& node, Reading& reading) {
       reading.file.whole = false;
       continue;
     }
-    MethodEntry method{entry->root, std::string(name_of(entry->root.name))};
-    if (entry->label != nullptr &&
-        expect_kind(*entry->label, Kind::text, "a text", entry->label_pointer, reading.mistakes)) {
-      method.label = entry->label->text;
-      if (!is_label(method.label))
-        reading.mistakes.add({{entry->label_pointer, entry->label->offset},
-                              "the label is empty or too long",
-                              "1 to 100 bytes on one line",
-                              ""});
-    }
+    MethodEntry method{entry->root, std::string(name_of(entry->root.name)), {}};
+    if (entry->label != nullptr)
+      read_label(*entry->label, json_pointer(pointer, "label"), method, reading);
     const auto same = [&](const MethodEntry& other) { return other.label == method.label; };
     if (std::any_of(reading.file.methods.begin(), reading.file.methods.end(), same))
       reading.mistakes.add({{pointer, node.items[i].offset},
                             fmt::format("two methods have the label \"{}\"", method.label),
                             "labels that tell the rows of a table apart: give this entry a \"label\" of its own",
                             ""});
+    const Place place{json_pointer(pointer, "from"),
+                      entry->from != nullptr ? entry->from->offset : node.items[i].offset};
+    read_from(entry->from, place, method, reading);
     reading.file.methods.push_back(std::move(method));
   }
 }

@@ -54,6 +54,17 @@ std::string list(const Infos& infos, const Name& name) {
   return out;
 }
 
+/// The methods that can start from a packing, in words.
+std::string starters() {
+  std::string names;
+  for (const MethodInfo& method : methods()) {
+    if (method.start != Start::scene)
+      names += fmt::format("{}{}{}", names.empty() ? "name = " : " or ", name_of(method.name),
+                           method.start == Start::packing ? " (required)" : "");
+  }
+  return names.empty() ? "never yet" : names;
+}
+
 } // namespace
 
 std::string reference_page() {
@@ -73,7 +84,8 @@ std::string reference_page() {
   out += "## Methods\n\n" + list(methods(), [](const MethodInfo& entry) { return name_of(entry.name); });
   out += "\nParameters stand in the method's entry; all but the name can be swept by these paths.\n\n" +
          table(method_parameters(), "method/");
-  out += fmt::format("| `label` | text | 1 | the name | always | {} |\n\n", kLabelDoc);
+  out += fmt::format("| `label` | text | 1 | the name | always | {} |\n", kLabelDoc);
+  out += fmt::format("| `from` | text | 1 | – | {} | {} |\n\n", starters(), kFromDoc);
 
   out += "## Metrics\n\n" + list(metrics(), [](const MetricInfo& entry) { return name_of(entry.name); });
   out += "\nParameters stand in the metric's entry.\n\n" + table(metric_parameters(), "") + "\n";

@@ -32,6 +32,8 @@ inline constexpr std::string_view kFilePath = "psd/file"; ///< of a scene: stand
 inline constexpr std::string_view kFileDoc =
     "CSV file of measured sizes, relative to the campaign file; stands for edges and weights (campaigns/README.md).";
 inline constexpr std::string_view kLabelDoc = "Name of this entry in tables; default: the method's name.";
+inline constexpr std::string_view kFromDoc =
+    "Label of an entry further up: this method starts from that entry's packing of the same point and replicate.";
 inline constexpr std::string_view kGridDoc = "Every combination of the listed values; the first path varies slowest.";
 inline constexpr std::string_view kZipDoc = "Lists of equal length, walked together.";
 inline constexpr std::string_view kPointsDoc = "Points written out one by one, each with its values.";

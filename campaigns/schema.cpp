@@ -160,6 +160,13 @@ Json entries(std::span<const Parameter<Root>> table, const std::string& prefix, 
     properties["name"] = {{"const", name}};
     if (labelled)
       properties["label"] = {{"type", "string"}, {"minLength", 1}, {"maxLength", 100}, {"description", kLabelDoc}};
+    if constexpr (std::is_same_v<Root, Method>) {
+      const Start start = info(root.name).start;
+      if (start != Start::scene)
+        properties["from"] = {{"type", "string"}, {"description", kFromDoc}};
+      if (start == Start::packing)
+        entry["required"].push_back("from");
+    }
     for (const auto& row : table) {
       if (row.path != "name" && row.applies(root))
         properties[std::string(row.path)] = reference(prefix + std::string(row.path));

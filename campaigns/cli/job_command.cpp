@@ -2,6 +2,7 @@
 #include "campaigns/cli/command.h"
 #include "campaigns/cli/provenance.h"
 #include "campaigns/job_file.h"
+#include "engine/base/error.h"
 #include "engine/base/files.h"
 #include "engine/base/host.h"
 #include "engine/generate/generator.h"
@@ -12,12 +13,14 @@
 #include "tamp_build_info.h"
 
 #include <CLI/Validators.hpp>
+#include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <new>
+#include <optional>
 #include <string>
 
 namespace tamp::cli {
@@ -27,18 +30,19 @@ namespace {
 struct Options {
   std::string file;
   std::string out;
+  std::string parent;
   int threads = 1;
 };
 
 /// Runs the generator and times it. What it throws is an outcome too, but for want of memory: then there may be too
 /// little left to write a record.
-Generated timed_generate(const Job& job, Record& record) {
+Generated timed_generate(const Request& request, Record& record) {
   Generated generated;
   record.provenance.start_utc = utc_now();
   const double wall = steady_seconds();
   const double cpu = process_cpu_seconds(); // of all threads: there is nothing else in this process
   try {
-    generated = generate(job, record.key);
+    generated = generate(request);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& e) {
@@ -49,6 +53,18 @@ Generated timed_generate(const Job& job, Record& record) {
   record.timing.wall_s = steady_seconds() - wall;
   record.provenance.end_utc = utc_now();
   return generated;
+}
+
+/// The packing that a job starts from; nothing if it starts from its scene.
+std::optional<Packing> read_parent(const Job& job, const std::string& file) {
+  if (job.parent.empty() != file.empty())
+    throw InputError(file.empty() ? "the job starts from packing " + job.parent + ": state its file by --parent"
+                                  : "the job starts from no packing, but --parent states one");
+  if (file.empty())
+    return std::nullopt;
+  if (const std::string key = read_packing_label(file).key; key != job.parent)
+    throw InputError(fmt::format("{}: holds packing {}, but the job starts from {}", file, key, job.parent));
+  return read_packing(file);
 }
 
 void keep_packing(const Packing& packing, Record& record, const std::filesystem::path& out) {
@@ -67,7 +83,12 @@ int run_job(const Options& options) {
   Record record = blank_record({.job = job, .key = job_key(job), .label = {}, .point = {}}, this_program());
   record.provenance.threads = options.threads;
 
-  Generated generated = timed_generate(job, record);
+  const std::optional<Packing> parent = read_parent(job, options.parent);
+  const Request request{.job = job,
+                        .key = record.key,
+                        .parent = parent ? &*parent : nullptr,
+                        .checkpoint = std::filesystem::path(options.out) / (record.key + ".checkpoint")};
+  Generated generated = timed_generate(request, record);
   record.outcome = generated.outcome;
   record.reason = std::move(generated.reason);
   record.effects = std::move(generated.effects);
@@ -88,7 +109,7 @@ int run_job(const Options& options) {
 constexpr const char* kExamples =
     R"(`tamp run` starts this command for each generation job; so does whoever wants to run one job under a debugger
 or on another machine. It prints nothing. DIR/KEY.h5 (the packing) and then DIR/KEY.json (the record) appear whole
-or not at all. Exit codes: 0 ok; 1 another outcome, see the record; 2 the job file is at fault; 12 out of memory.)";
+or not at all; DIR/KEY.checkpoint holds the state of a long job. Exit codes: 0 ok; 1 another outcome, see the record; 2 the job file is at fault; 12 out of memory.)";
 
 } // namespace
 
@@ -105,6 +126,8 @@ void declare_job(CommandLine& line) {
   });
   app.add_option("file", options->file, "Job file: the canonical text of a job")->type_name("JOBFILE")->required();
   app.add_option("--out", options->out, "Folder for the result; must exist")->type_name("DIR")->required();
+  app.add_option("--parent", options->parent, "Packing file that the job starts from, if it has a parent")
+      ->type_name("FILE");
   app.add_option("--threads", options->threads, "Threads to use; the result does not depend on it")
       ->type_name("N")
       ->check(CLI::Range(1, 4096))

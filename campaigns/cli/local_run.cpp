@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace tamp::cli {
 
@@ -24,6 +25,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kJobFile = ".job";
 constexpr const char* kLogFile = ".log";
+constexpr const char* kCheckpoint = ".checkpoint"; // written by the child; outlives all but a result
 constexpr const char* kSetAside = ".damaged";
 
 /// The file of a job among the incoming ones.
@@ -38,7 +40,10 @@ ChildJob prepare_child(const Store& store, const Task& task) {
   const fs::path job = incoming_file(store, key, kJobFile);
   const fs::path result = incoming_file(store, key, ".json");
   write_atomically(job, job_json(task.planned.job));
-  return {.argv = {"/proc/self/exe", "job", job.string(), "--out", store.incoming().string()},
+  std::vector<std::string> argv = {"/proc/self/exe", "job", job.string(), "--out", store.incoming().string()};
+  if (const std::string& parent = task.planned.job.parent; !parent.empty())
+    argv.insert(argv.end(), {"--parent", store.packing_path(parent).string()});
+  return {.argv = std::move(argv),
           .log = incoming_file(store, key, kLogFile),
           .collect = [result]() -> std::optional<Record> {
             return fs::exists(result) ? std::optional(read_record(result)) : std::nullopt;
@@ -124,6 +129,8 @@ Summary run_here(Store& store, const Agenda& agenda, const Resources& resources,
             keep(store, record);
             for (const char* extension : {kJobFile, kLogFile})
               fs::remove(incoming_file(store, record.key, extension));
+            if (leaves_packing(record.outcome))
+              fs::remove(incoming_file(store, record.key, kCheckpoint));
           },
       .observer = observer};
   try {

@@ -1,8 +1,11 @@
 // The table of generators.
 #include "engine/generate/generator.h"
 
+#include "engine/base/error.h"
 #include "engine/generate/drop_and_roll/drop_and_roll.h"
 #include "engine/generate/lattice.h"
+
+#include <fmt/format.h>
 
 #include <array>
 
@@ -21,8 +24,14 @@ std::span<const Generator> generators() {
   return kGenerators;
 }
 
-Generated generate(const Job& job, std::string_view key, const Progress& progress) {
-  return kGenerators[static_cast<std::size_t>(job.method.name)].generate(job, key, progress);
+Generated generate(const Request& request) {
+  const MethodName method = request.job.method.name;
+  const Start start = info(method).start;
+  if ((start == Start::scene && request.parent != nullptr) || (start == Start::packing && request.parent == nullptr))
+    throw InputError(
+        fmt::format("{} {}", name_of(method),
+                    start == Start::scene ? "cannot start from a packing" : "needs a packing to start from"));
+  return kGenerators[static_cast<std::size_t>(method)].generate(request);
 }
 
 } // namespace tamp

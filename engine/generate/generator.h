@@ -5,6 +5,7 @@
 #include "engine/model/packing.h"
 #include "engine/model/record.h"
 
+#include <filesystem>
 #include <functional>
 #include <span>
 #include <string>
@@ -25,17 +26,26 @@ struct Generated {
 /// Called now and then with the number of spheres placed so far.
 using Progress = std::function<void(std::size_t)>;
 
-/// One row: `generate(job, key, progress)` makes the packing of a job. The key names the random streams and is the
-/// only source of randomness: the same job and key give the same bytes.
+/// What a generator is given. The key names the random streams and is the only source of randomness: the same job, key
+/// and parent give the same bytes, however often the work was cut off and taken up again.
+struct Request {
+  const Job& job;
+  std::string_view key;
+  const Packing* parent = nullptr; ///< what to start from: set if and only if job.parent is
+  Progress progress = {};
+  std::filesystem::path checkpoint = {}; ///< file that a long job may keep its state in; empty: none
+};
+
+/// One row: `generate(request)` makes the packing of a job.
 struct Generator {
   MethodName name;
-  Generated (*generate)(const Job& job, std::string_view key, const Progress& progress);
+  Generated (*generate)(const Request& request);
 };
 
 std::span<const Generator> generators();
 
-/// Runs the generator of the job's method.
-Generated generate(const Job& job, std::string_view key, const Progress& progress = {});
+/// Runs the generator of the job's method. Throws InputError if the method needs a parent and has none, or the reverse.
+Generated generate(const Request& request);
 
 /// Numbers of the random streams of a generation job; each purpose has its own.
 enum class Stream : std::uint64_t { radii = 1, positions = 2 };

@@ -84,7 +84,8 @@ std::vector<double> fill(const Crystal& lattice, double radius, const std::vecto
 
 } // namespace
 
-Generated generate_lattice(const Job& job, std::string_view, const Progress& progress) {
+Generated generate_lattice(const Request& request) {
+  const Job& job = request.job;
   const Scene& scene = job.scene;
   const Crystal& lattice = crystal(job.method.lattice.kind);
   if (lattice.dimension != scene.dimension) {
@@ -114,8 +115,8 @@ Generated generate_lattice(const Job& job, std::string_view, const Progress& pro
   std::copy(scene.size.begin(), scene.size.end(), result.packing.size.begin());
   std::fill_n(result.packing.boundary.begin(), lattice.dimension, Boundary::wall);
   result.measures.push_back({"N", static_cast<double>(count), "1"});
-  if (progress)
-    progress(count);
+  if (request.progress)
+    request.progress(count);
   return result;
 }
 

@@ -11,6 +11,6 @@ namespace tamp {
 /// inside (up to rounding), the first against the lower corner, layers level. scene.count limits their number, lowest
 /// cells first. Not applicable, with the reason: a lattice of the other dimension, a law of several sizes, periodic
 /// sides, fewer places than scene.count. Uses no random numbers.
-Generated generate_lattice(const Job& job, std::string_view key, const Progress& progress);
+Generated generate_lattice(const Request& request);
 
 } // namespace tamp

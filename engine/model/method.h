@@ -44,10 +44,18 @@ struct Method {
   Lattice lattice;
 };
 
+/// Whether a method starts from the packing of another job.
+enum class Start {
+  scene,   ///< from the scene alone
+  either,  ///< from the scene, or from a packing if one is given
+  packing, ///< from a packing: it changes what another method has made
+};
+
 /// What is known of a method without running it. A revision goes up whenever the same job would give other bytes.
 struct MethodInfo {
   MethodName name;
   std::int64_t revision;
+  Start start;
   std::string_view summary;
 };
 

@@ -79,7 +79,7 @@ void drop_and_roll(benchmark::State& state, const Job& job, double paper_s) {
   for ([[maybe_unused]] auto _ : state) {
     for (int round = 0; round < kRounds; ++round) {
       const double start = thread_cpu_seconds();
-      out = generate(job, "bench " + std::to_string(round));
+      out = generate({job, "bench " + std::to_string(round)});
       times.push_back(thread_cpu_seconds() - start);
       ratios.push_back(times.back() / triangulate(out.packing));
     }

@@ -160,6 +160,9 @@ TEST_CASE("unknown names of methods' and metrics' parameters, of metrics and tab
   CHECK_THAT(
       error_of(valid_with("[\"drop-and-roll\"]", "[\"drop-and-roll\", {\"name\": \"drop-and-roll\", \"lid\": false}]")),
       Contains("at /methods/1: two methods have the label \"drop-and-roll\""));
+  CHECK_THAT(error_of(valid_with("[\"drop-and-roll\"]",
+                                 R"(["drop-and-roll", {"name": "lattice", "label": "L", "from": "drop-and-roll"}])")),
+             Contains("at /methods/1/from: lattice does not start from a packing\n  allowed: no \"from\""));
 }
 
 TEST_CASE("values that count nowhere, for the law or the method") {

@@ -73,7 +73,7 @@ TEST_CASE("every generator: spheres inside the box, no overlap, N in the measure
   for (const Generator& generator : generators()) {
     for (const Case& c : cases_of(generator.name)) {
       INFO(name_of(generator.name) << ", " << c.name);
-      const Generated out = generate(c.job, "key one");
+      const Generated out = generate({c.job, "key one"});
       REQUIRE(out.outcome == Outcome::ok);
       CHECK(out.reason.empty());
       const Packing& p = out.packing;
@@ -90,7 +90,7 @@ TEST_CASE("every generator: spheres inside the box, no overlap, N in the measure
       CHECK(overlap.at("overlap_max") <= 1e-10);
       CHECK(overlap.at("overlap_walls") == 0);
 
-      CHECK(same_bytes(generate(c.job, "key one").packing, p));
+      CHECK(same_bytes(generate({c.job, "key one"}).packing, p));
     }
   }
 }
@@ -105,8 +105,8 @@ TEST_CASE("a change of the unit of length changes nothing else") {
       scaled.scene.psd.small_radius *= scale;
       for (double& edge : scaled.scene.size)
         edge *= scale;
-      const Packing big = generate(job, "unit").packing;
-      Packing small = generate(scaled, "unit").packing;
+      const Packing big = generate({job, "unit"}).packing;
+      Packing small = generate({scaled, "unit"}).packing;
       for (double& x : small.positions)
         x /= scale;
       for (double& r : small.radii)
@@ -119,26 +119,26 @@ TEST_CASE("a change of the unit of length changes nothing else") {
 TEST_CASE("drop-and-roll keeps to a stated count, or says that the box was full") {
   Job job = job_of(MethodName::drop_and_roll, 3, monodisperse_psd(1), 17);
   job.scene.count = 100;
-  CHECK(generate(job, "count").packing.count() == 100);
+  CHECK(generate({job, "count"}).packing.count() == 100);
   job.scene.count = 100000;
-  const Generated full = generate(job, "count");
+  const Generated full = generate({job, "count"});
   CHECK(full.outcome == Outcome::did_not_converge);
   CHECK(full.reason.find("of 100000 spheres") != std::string::npos);
 }
 
 TEST_CASE("without a lid spheres may end above the box, with one they may not; keeping the radius ends sooner") {
   Job job = job_of(MethodName::drop_and_roll, 3, lognormal_psd(0.30, 0.68, 0.1, 8), 17);
-  const Packing lidded = generate(job, "lid").packing;
+  const Packing lidded = generate({job, "lid"}).packing;
   for (std::size_t i = 0; i < lidded.count(); ++i)
     CHECK(lidded.centre<3>(i)[2] + lidded.radii[i] <= 17);
   CHECK(lidded.boundary[2] == Boundary::wall);
 
   job.method.drop_and_roll.on_failure = OnFailure::keep;
-  CHECK(generate(job, "lid").packing.count() < lidded.count());
+  CHECK(generate({job, "lid"}).packing.count() < lidded.count());
 
   job.method.drop_and_roll.lid = false;
   job.scene.count = static_cast<std::int64_t>(2 * lidded.count());
-  const Generated open = generate(job, "lid");
+  const Generated open = generate({job, "lid"});
   CHECK(open.outcome == Outcome::ok);
   CHECK(open.packing.boundary[2] == Boundary::open);
 }
@@ -150,7 +150,7 @@ void check_seed(int seed, Sides sides) {
   for (Case& c : cases_of(MethodName::drop_and_roll)) {
     INFO(c.name << ", seed " << seed << ", " << name_of(sides));
     c.job.scene.sides = sides;
-    const Generated out = generate(c.job, "seed " + std::to_string(seed));
+    const Generated out = generate({c.job, "seed " + std::to_string(seed)});
     for (const Measure& m : out.measures) {
       if (m.name == "unresolved")
         CHECK(m.value == 0);

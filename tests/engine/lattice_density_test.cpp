@@ -37,7 +37,7 @@ double density(const Row& row, double edge, MetricName metric) {
   job.scene.psd.radius = 1;
   job.method.name = MethodName::lattice;
   job.method.lattice.kind = row.kind;
-  const Generated made = generate_lattice(job, "key", {});
+  const Generated made = generate_lattice({job, "key"});
   REQUIRE(made.outcome == Outcome::ok);
   Metric m;
   m.name = metric;

@@ -163,8 +163,9 @@ private:
 
 } // namespace
 
-Generated generate_drop_and_roll(const Job& job, std::string_view key, const Progress& progress) {
-  return with_dimension(job.scene.dimension, [&](auto d) { return DropAndRollRun<d>(job, key).run(progress); });
+Generated generate_drop_and_roll(const Request& request) {
+  return with_dimension(request.job.scene.dimension,
+                        [&](auto d) { return DropAndRollRun<d>(request.job, request.key).run(request.progress); });
 }
 
 } // namespace tamp

@@ -48,7 +48,7 @@ TEST_CASE("spheres of a lattice touch, do not overlap, and stay in the box") {
       const auto d = static_cast<std::size_t>(row.dimension);
       std::vector<double> size{11.3 * radius, 12.9 * radius, 10.0 * radius};
       size.resize(d);
-      const Generated made = generate_lattice(lattice_job(row.kind, row.dimension, size, radius), "key", {});
+      const Generated made = generate_lattice({lattice_job(row.kind, row.dimension, size, radius), "key"});
       REQUIRE(made.outcome == Outcome::ok);
       const Packing& p = made.packing;
       CHECK(measure_of(made, "N") == static_cast<double>(p.count()));
@@ -86,7 +86,7 @@ TEST_CASE("a layer that fits exactly is there, one that misses by a hair is not"
   for (const double unit : {1.0, 0.1, 1e-6}) {
     CAPTURE(unit);
     const auto count = [&](double edge) {
-      const auto made = generate_lattice(lattice_job(LatticeKind::sc, 3, {edge, edge, edge}, unit), "key", {});
+      const auto made = generate_lattice({lattice_job(LatticeKind::sc, 3, {edge, edge, edge}, unit), "key"});
       return made.packing.count();
     };
     CHECK(count(14 * unit) == 343);
@@ -98,24 +98,24 @@ TEST_CASE("a layer that fits exactly is there, one that misses by a hair is not"
 TEST_CASE("the count of the scene limits the spheres, from the floor up") {
   Job job = lattice_job(LatticeKind::square, 2, {10, 10}, 1);
   job.scene.count = 7;
-  const Generated some = generate_lattice(job, "key", {});
+  const Generated some = generate_lattice({job, "key"});
   REQUIRE(some.packing.count() == 7);
   CHECK(some.packing.positions[2 * 6 + 1] == 3); // two in the second row
   job.scene.count = 26;
-  const Generated none = generate_lattice(job, "key", {});
+  const Generated none = generate_lattice({job, "key"});
   CHECK(none.outcome == Outcome::not_applicable);
   CHECK(none.reason == "the box has 25 places of the lattice, the scene wants 26");
 }
 
 TEST_CASE("scenes that no lattice fits are not applicable, with the reason") {
-  CHECK(generate_lattice(lattice_job(LatticeKind::fcc, 2, {10, 10}, 1), "key", {}).reason ==
+  CHECK(generate_lattice({lattice_job(LatticeKind::fcc, 2, {10, 10}, 1), "key"}).reason ==
         "the lattice fcc is 3D, the scene 2D");
-  CHECK(generate_lattice(lattice_job(LatticeKind::square, 3, {10, 10, 10}, 1), "key", {}).outcome ==
+  CHECK(generate_lattice({lattice_job(LatticeKind::square, 3, {10, 10, 10}, 1), "key"}).outcome ==
         Outcome::not_applicable);
 
   Job periodic = lattice_job(LatticeKind::sc, 3, {10, 10, 10}, 1);
   periodic.scene.sides = Sides::periodic;
-  CHECK(generate_lattice(periodic, "key", {}).outcome == Outcome::not_applicable);
+  CHECK(generate_lattice({periodic, "key"}).outcome == Outcome::not_applicable);
 
   Job two_sizes = lattice_job(LatticeKind::sc, 3, {10, 10, 10}, 1);
   two_sizes.scene.psd = Psd{};
@@ -123,7 +123,7 @@ TEST_CASE("scenes that no lattice fits are not applicable, with the reason") {
   two_sizes.scene.psd.small_radius = 1;
   two_sizes.scene.psd.size_ratio = 2;
   two_sizes.scene.psd.large_volume_fraction = 0.5;
-  const Generated made = generate_lattice(two_sizes, "key", {});
+  const Generated made = generate_lattice({two_sizes, "key"});
   CHECK(made.outcome == Outcome::not_applicable);
   CHECK(made.packing.count() == 0);
 }
