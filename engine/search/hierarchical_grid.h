@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -54,9 +55,16 @@ public:
   /// On periodic axes f gets the centre of each image that is that near.
   template <class F>
   void for_each_near(const Vec<D>& p, double reach, F&& f) const {
+    for_each_ahead(p, reach, 0, f);
+  }
+
+  /// The same for a body of radius `reach` that from p goes any way of at most `travel` but never up: spheres too high
+  /// to be touched may be left out.
+  template <class F>
+  void for_each_ahead(const Vec<D>& p, double reach, double travel, F&& f) const {
     for (const Level& level : levels_) {
       if (!level.nodes.empty())
-        level.visit(p, reach, f);
+        level.visit(p, reach, travel, f);
     }
   }
 
@@ -69,9 +77,10 @@ public:
     for (const Level& level : levels_) {
       if (level.nodes.empty())
         continue;
-      Vec<D> shift = Vec<D>::Zero();
       const double touching = reach + level.largest;
-      level.template visit_columns<D - 2>(p, reach, touching * touching, stopped_at, {}, shift, f);
+      // Its own column first: what it finds there spares the others the way down to the floor.
+      level.template visit_columns<0>(p, reach, touching * touching, true, stopped_at, 0, Vec<D>::Zero(), f);
+      level.template visit_columns<0>(p, reach, touching * touching, false, stopped_at, 0, Vec<D>::Zero(), f);
     }
   }
 
@@ -82,22 +91,24 @@ private:
   };
 
   /// The spheres of a cell are neighbours in memory too: a look at a cell costs one or two cache lines, not one a
-  /// sphere.
+  /// sphere. The room of a run is the power of two that holds it, at least kSmallestRun.
   struct Cell {
     std::uint32_t begin = 0;
     std::uint32_t count = 0;
-    std::uint32_t capacity = 0;
   };
+  static constexpr std::uint32_t kSmallestRun = 2;
 
-  /// One size class: cells at least as wide as its largest sphere, each a run of nodes with room to grow.
+  /// One size class: cells at least as wide as its largest sphere, in columns from the floor up, each a run of nodes.
   struct Level {
     double largest;
     Vec<D> size;
     std::array<bool, D> periodic;
     std::array<std::int64_t, D> cells{}; // along each axis
     Vec<D> edge, inverse_edge;
-    std::vector<Cell> grid;
-    std::vector<Node> nodes; // runs that outgrew their room were copied to the end; their old places stay unused
+    std::vector<Cell> grid;        // column by column
+    std::vector<std::int32_t> top; // of each column: its highest cell that holds anything, −1 for none
+    std::vector<Node> nodes;
+    std::array<std::vector<std::uint32_t>, 32> given_up; // runs that were outgrown, by the logarithm of their room
 
     Level(const Vec<D>& box, const std::array<bool, D>& wraps, const SizeClass& c)
         : largest(c.largest), size(box), periodic(wraps) {
@@ -113,75 +124,108 @@ private:
         total *= static_cast<std::size_t>(cells[n]);
       }
       grid.resize(total);
+      top.assign(total / static_cast<std::size_t>(cells[vertical<D>]), -1);
     }
 
     void insert(const Vec<D>& centre, double radius) {
-      std::size_t cell = 0;
-      for (int a = D - 1; a >= 0; --a) {
+      std::size_t column = 0;
+      std::int64_t i = 0;
+      for (int a = 0; a < D; ++a) {
         const auto n = static_cast<std::size_t>(a);
-        const auto i =
-            std::clamp<std::int64_t>(static_cast<std::int64_t>(centre[a] * inverse_edge[a]), 0, cells[n] - 1);
-        cell = cell * static_cast<std::size_t>(cells[n]) + static_cast<std::size_t>(i);
+        i = std::clamp<std::int64_t>(static_cast<std::int64_t>(centre[a] * inverse_edge[a]), 0, cells[n] - 1);
+        if (a != vertical<D>)
+          column = column * static_cast<std::size_t>(cells[n]) + static_cast<std::size_t>(i);
       }
-      Cell& home = grid[cell];
-      if (home.count == home.capacity)
-        move_to_end(home);
+      top[column] = std::max(top[column], static_cast<std::int32_t>(i));
+      Cell& home = grid[column * static_cast<std::size_t>(cells[vertical<D>]) + static_cast<std::size_t>(i)];
+      if (home.count == 0 || (home.count >= kSmallestRun && std::has_single_bit(home.count)))
+        grow(home);
       nodes[home.begin + home.count++] = {centre, radius};
     }
 
-    void move_to_end(Cell& cell) {
-      const auto begin = static_cast<std::uint32_t>(nodes.size());
-      cell.capacity = std::max(2U, 2 * cell.capacity);
-      nodes.resize(nodes.size() + cell.capacity);
+    /// Moves a full run to one of twice its room.
+    void grow(Cell& cell) {
+      const std::uint32_t room = cell.count == 0 ? kSmallestRun : 2 * cell.count;
+      auto& reusable = given_up[static_cast<std::size_t>(std::countr_zero(room))];
+      std::uint32_t begin = static_cast<std::uint32_t>(nodes.size());
+      if (reusable.empty()) {
+        nodes.resize(nodes.size() + room);
+      } else {
+        begin = reusable.back();
+        reusable.pop_back();
+      }
       std::copy_n(nodes.begin() + cell.begin, cell.count, nodes.begin() + begin);
+      if (cell.count > 0)
+        given_up[static_cast<std::size_t>(std::countr_zero(cell.count))].push_back(cell.begin);
       cell.begin = begin;
     }
 
+    using Slices = std::array<std::pair<std::int64_t, std::int64_t>, D>; // first and last along each axis
+
     template <class F>
-    void visit(const Vec<D>& p, double reach, F& f) const {
-      const double radius = reach + largest;
-      visit_axis<D - 1>(p, reach, radius * radius, 0, Vec<D>::Zero(), f);
+    void visit(const Vec<D>& p, double reach, double travel, F& f) const {
+      const double touching = reach + largest;
+      const double furthest = touching + travel;
+      Slices all;
+      for (std::size_t a = 0; a < D; ++a)
+        all[a] = slices(a, p, furthest);
+      // Nothing whose centre is higher than this can be touched by a body that goes down.
+      auto& highest = all[vertical<D>].second;
+      highest = std::min(highest, slices(vertical<D>, p, touching).second);
+      visit_axis<0>(p, furthest * furthest, reach + travel, all, 0, Vec<D>::Zero(), f);
     }
 
-    /// Walks the cells of axis A that the ball reaches, `room` being what the axes above left of its squared radius.
+    /// Walks the slices of lateral axis A that the ball reaches, `room` being what the axes before left of its squared
+    /// radius; then the column.
     template <int A, class F>
-    void visit_axis(const Vec<D>& p, double reach, double room, std::size_t base, Vec<D> shift, F& f) const {
-      for (auto [i, last] = slices(A, p, std::sqrt(room)); i <= last; ++i) {
-        const std::size_t cell =
-            base * static_cast<std::size_t>(cells[A]) + static_cast<std::size_t>(wrap(i, A, shift));
-        if constexpr (A == 0) {
-          visit_cell(cell, p, reach, shift, f);
-        } else {
+    void visit_axis(const Vec<D>& p, double room, double reach, const Slices& all, std::size_t base, Vec<D> shift,
+                    F& f) const {
+      if constexpr (A == vertical<D>) {
+        visit_column(p, reach, all[A], base, shift, f);
+      } else {
+        for (auto [i, last] = all[A]; i <= last; ++i) {
           const double left = room_left(i, A, p, room);
-          if (left >= 0)
-            visit_axis<A - 1>(p, reach, left, cell, shift, f);
+          if (left < 0)
+            continue;
+          const std::size_t column =
+              base * static_cast<std::size_t>(cells[A]) + static_cast<std::size_t>(wrap(i, A, shift));
+          visit_axis<A + 1>(p, left, reach, all, column, shift, f);
         }
       }
     }
 
     template <class F>
-    void visit_cell(std::size_t cell, const Vec<D>& p, double reach, const Vec<D>& shift, F& f) const {
-      const Node* node = nodes.data() + grid[cell].begin;
-      for (const Node* end = node + grid[cell].count; node != end; ++node) {
-        const Vec<D> centre = node->centre + shift;
-        const double limit = node->radius + reach;
-        if ((centre - p).squaredNorm() <= limit * limit)
-          f(centre, node->radius);
+    void visit_column(const Vec<D>& p, double reach, std::pair<std::int64_t, std::int64_t> heights, std::size_t column,
+                      const Vec<D>& shift, F& f) const {
+      const Cell* cell = grid.data() + column * static_cast<std::size_t>(cells[vertical<D>]);
+      const std::int64_t highest = std::min<std::int64_t>(heights.second, top[column]);
+      for (std::int64_t i = heights.first; i <= highest; ++i) {
+        const Node* node = nodes.data() + cell[i].begin;
+        for (const Node* end = node + cell[i].count; node != end; ++node) {
+          const Vec<D> centre = node->centre + shift;
+          const double limit = node->radius + reach;
+          if ((centre - p).squaredNorm() <= limit * limit)
+            f(centre, node->radius);
+        }
       }
     }
 
-    /// Walks the columns of cells around the vertical line through p, axis A and below still to be chosen; `room` is
-    /// what the chosen axes left of the squared distance at which a sphere still touches.
+    /// Walks the columns of cells around the vertical line through p, axis A and those behind it still to be chosen:
+    /// either the one that the line runs through, or all the others. `room` is what the chosen axes left of the squared
+    /// distance at which a sphere still touches.
     template <int A, class F>
-    void visit_columns(const Vec<D>& p, double reach, double room, double& stopped_at,
-                       std::array<std::int64_t, D> index, Vec<D>& shift, F& f) const {
-      for (auto [i, last] = slices(A, p, std::sqrt(room)); i <= last; ++i) {
-        const double left = std::max(0.0, room_left(i, A, p, room));
-        index[A] = wrap(i, A, shift);
-        if constexpr (A == 0) {
-          descend(p, reach, std::sqrt(left), stopped_at, index, shift, f);
-        } else {
-          visit_columns<A - 1>(p, reach, left, stopped_at, index, shift, f);
+    void visit_columns(const Vec<D>& p, double reach, double room, bool own, double& stopped_at, std::size_t base,
+                       Vec<D> shift, F& f, bool on_line = true) const {
+      if constexpr (A == vertical<D>) {
+        if (own == on_line)
+          descend(p, reach, std::sqrt(room), stopped_at, base, shift, f);
+      } else {
+        const std::int64_t middle = slices(A, p, 0).first;
+        for (auto [i, last] = own ? std::pair(middle, middle) : slices(A, p, std::sqrt(room)); i <= last; ++i) {
+          const double left = std::max(0.0, room_left(i, A, p, room));
+          const std::size_t column =
+              base * static_cast<std::size_t>(cells[A]) + static_cast<std::size_t>(wrap(i, A, shift));
+          visit_columns<A + 1>(p, reach, left, own, stopped_at, column, shift, f, on_line && i == middle);
         }
       }
     }
@@ -189,21 +233,18 @@ private:
     /// One column of cells from the height of p downwards, while its spheres can stop the body above `stopped_at`: the
     /// body's centre comes to rest at most `lift` above theirs.
     template <class F>
-    void descend(const Vec<D>& p, double reach, double lift, double& stopped_at, std::array<std::int64_t, D> index,
+    void descend(const Vec<D>& p, double reach, double lift, double& stopped_at, std::size_t column,
                  const Vec<D>& shift, F& f) const {
       constexpr int z = vertical<D>;
+      const Cell* cell = grid.data() + column * static_cast<std::size_t>(cells[z]);
       const std::int64_t topmost = cells[z] - 1;
-      for (index[z] = std::clamp<std::int64_t>(floor_index(p[z] * inverse_edge[z]), 0, topmost); index[z] >= 0;
-           --index[z]) {
-        const double top = static_cast<double>(index[z] + 1) * edge[z];
-        if (top + lift <= stopped_at && index[z] < topmost)
+      auto i = std::clamp<std::int64_t>(floor_index(p[z] * inverse_edge[z]), 0, topmost);
+      for (i = std::min<std::int64_t>(i, top[column]); i >= 0; --i) {
+        const double ceiling = static_cast<double>(i + 1) * edge[z];
+        if (ceiling + lift <= stopped_at && i < topmost)
           return;
-        std::size_t cell = 0;
-        for (std::size_t a = D; a-- > 0;) {
-          cell = cell * static_cast<std::size_t>(cells[a]) + static_cast<std::size_t>(index[a]);
-        }
-        const Node* node = nodes.data() + grid[cell].begin;
-        for (const Node* end = node + grid[cell].count; node != end; ++node) {
+        const Node* node = nodes.data() + cell[i].begin;
+        for (const Node* end = node + cell[i].count; node != end; ++node) {
           const Vec<D> centre = node->centre + shift;
           const double limit = node->radius + reach;
           if ((centre - p).template head<D - 1>().squaredNorm() < limit * limit)

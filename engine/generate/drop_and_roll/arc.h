@@ -49,6 +49,11 @@ inline double entering(const Sinusoid& f, double tolerance, const ArcPoint& end,
   if (lifted >= 0 && lifted * lifted >= m2)
     return never;
 
+  // Without a minimum on the way the end is the deepest point: most constraints are passed without a root.
+  const bool minimum_inside = f.c < 0 && f.c * end.c > f.b * end.s;
+  if (!minimum_inside && f.at(end) >= 0)
+    return never;
+
   const double q = std::sqrt(std::max(0.0, m2 - f.a * f.a));
   const double x = -f.a * f.b - f.c * q;
   const double y = -f.a * f.c + f.b * q;

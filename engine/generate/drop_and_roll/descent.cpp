@@ -12,8 +12,14 @@ namespace {
 /// rounding must be turning it in circles.
 constexpr int kMaxSteps = 1000000;
 
-/// How far, in its own radii, a sphere travels before its surroundings are gathered anew.
-constexpr double kGatherReach = 1.0;
+/// How far, in its own radii, a sphere travels before its surroundings are gathered anew: further where there was
+/// little to gather (on the flank of a much larger sphere), up to kFurthestReach. Measured in 3D: reaches from 1 to 2
+/// cost the same within noise; letting it grow saves a tenth of the lognormal powder's time and a fifth of the events
+/// at size ratio 40, but beyond 4 radii the larger searches cost more than they save.
+constexpr double kGatherReach = 1.4;
+constexpr double kFurthestReach = 4;
+constexpr std::size_t kFewObstacles = 8;
+constexpr std::size_t kManyObstacles = 30;
 
 template <int D>
 bool same(const Constraint<D>& a, const Constraint<D>& b) {
@@ -32,6 +38,8 @@ typename Descent<D>::End Descent<D>::run(Vec<D>& p, double radius) {
   radius_ = radius;
   touching_.clear();
   normals_.clear();
+  reach_ = kGatherReach;
+  near_.assign(kFewObstacles, {}); // the first search keeps to the reach
   for (int i = 0; i < kMaxSteps; ++i) {
     ++events_;
     const Step result = step();
@@ -46,7 +54,11 @@ typename Descent<D>::End Descent<D>::run(Vec<D>& p, double radius) {
 template <int D>
 void Descent<D>::gather() {
   gathered_at_ = p_;
-  gathered_reach_ = kGatherReach * radius_;
+  if (near_.size() < kFewObstacles)
+    reach_ = std::min(2 * reach_, kFurthestReach);
+  else if (near_.size() > kManyObstacles)
+    reach_ = std::max(reach_ / 2, kGatherReach);
+  gathered_reach_ = reach_ * radius_;
   near_.clear();
   near_.push_back(Constraint<D>::plane(vertical<D>, radius_, 1, radius_));
   for (int a = 0; a < D - 1; ++a) {
@@ -55,7 +67,7 @@ void Descent<D>::gather() {
     near_.push_back(Constraint<D>::plane(a, radius_, 1, radius_));
     near_.push_back(Constraint<D>::plane(a, size_[a] - radius_, -1, radius_));
   }
-  grid_.for_each_near(p_, radius_ + gathered_reach_, [&](const Vec<D>& centre, double radius) {
+  grid_.for_each_ahead(p_, radius_, gathered_reach_, [&](const Vec<D>& centre, double radius) {
     near_.push_back(Constraint<D>::sphere(centre, radius, radius_));
   });
 }

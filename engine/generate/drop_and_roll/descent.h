@@ -65,6 +65,7 @@ private:
   double radius_ = 0;
   Vec<D> gathered_at_ = Vec<D>::Zero();
   double gathered_reach_ = 0;
+  double reach_ = 0;                    // gathered_reach_ in radii
   std::vector<Constraint<D>> near_;     // everything p can touch while it stays within gathered_reach_ of gathered_at_
   std::vector<Constraint<D>> touching_; // contacts at p
   std::vector<Vec<D>> normals_;         // of touching_

@@ -3,6 +3,7 @@
 
 #include "engine/base/random.h"
 #include "engine/generate/drop_and_roll/descent.h"
+#include "engine/generate/drop_and_roll/headroom.h"
 #include "engine/generate/radius_sampler.h"
 #include "engine/model/size_law.h"
 #include "engine/search/hierarchical_grid.h"
@@ -49,6 +50,7 @@ public:
         size_(Eigen::Map<const Vec<D>>(job.scene.size.data())), periodic_(lateral(job.scene.sides == Sides::periodic)),
         grid_(size_, periodic_, size_classes(law_, expected_)),
         skyline_(size_, periodic_, std::pow(expected_, (D - 1.0) / D)), descent_(size_, periodic_, grid_),
+        headroom_(size_, periodic_, grid_),
         radii_(law_, job.scene.sampler, static_cast<std::uint64_t>(std::ceil(expected_)),
                RandomStream(key, static_cast<std::uint64_t>(Stream::radii))),
         positions_(key, static_cast<std::uint64_t>(Stream::positions)) {}
@@ -68,6 +70,9 @@ public:
       } else {
         ++failures_in_row;
         ++failures_;
+        full_ = is_full(radius);
+        if (full_)
+          break;
         if (method.on_failure == OnFailure::redraw)
           radius = radii_.next();
       }
@@ -92,6 +97,10 @@ private:
       const double u = positions_.uniform();
       p[a] = periodic_[static_cast<std::size_t>(a)] ? u * size_[a] : radius + u * (size_[a] - 2 * radius);
     }
+    if (job_.method.drop_and_roll.lid && headroom_.excludes(radius)) {
+      ++excluded_;
+      return false;
+    }
     p[vertical<D>] = skyline_.above(p, radius) + radius;
     if (descent_.run(p, radius) == Descent<D>::End::unresolved) {
       ++unresolved_;
@@ -103,6 +112,12 @@ private:
     return true;
   }
 
+  /// Whether no attempt can succeed any more: then the failures that are still missing would only cost time.
+  bool is_full(double radius) {
+    const DropAndRoll& method = job_.method.drop_and_roll;
+    return method.lid && headroom_.excludes(method.on_failure == OnFailure::keep ? radius : law_.smallest());
+  }
+
   void place(Vec<D>& p, double radius) {
     for (int a = 0; a < D - 1; ++a) {
       if (periodic_[static_cast<std::size_t>(a)])
@@ -110,6 +125,7 @@ private:
     }
     grid_.insert(p, radius);
     skyline_.raise(p, radius);
+    headroom_.add(p, radius);
     packing_.positions.insert(packing_.positions.end(), p.data(), p.data() + D);
     packing_.radii.push_back(radius);
   }
@@ -127,13 +143,15 @@ private:
       packing_.boundary[static_cast<std::size_t>(vertical<D>)] = Boundary::open;
     if (placed() < wanted) {
       out.outcome = Outcome::did_not_converge;
-      out.reason = fmt::format("the box was full at {} of {} spheres ({} failures in a row)", placed(), wanted,
-                               job_.method.drop_and_roll.max_failures);
+      const std::string proof = full_ ? std::string("no radius fits under the lid any more")
+                                      : fmt::format("{} failures in a row", job_.method.drop_and_roll.max_failures);
+      out.reason = fmt::format("the box was full at {} of {} spheres ({})", placed(), wanted, proof);
     }
     const auto count = [](std::uint64_t n) { return static_cast<double>(n); };
     out.measures = {{"N", count(placed()), "1"},
                     {"attempts", count(attempts_), "1"},
                     {"failures", count(failures_), "1"},
+                    {"excluded", count(excluded_), "1"},
                     {"unresolved", count(unresolved_), "1"},
                     {"events", count(descent_.events()), "1"}};
     out.effects.simulated = {"gravity (quasi-static steepest descent)", "hard contacts"};
@@ -153,11 +171,14 @@ private:
   HierarchicalGrid<D> grid_;
   Skyline<D> skyline_;
   Descent<D> descent_;
+  Headroom<D> headroom_;
   RadiusSampler radii_;
   RandomStream positions_;
   Packing packing_;
   std::uint64_t attempts_ = 0;
   std::uint64_t failures_ = 0;
+  std::uint64_t excluded_ = 0; ///< of the failures: those proven beforehand
+  bool full_ = false;
   std::uint64_t unresolved_ = 0;
 };
 

@@ -16,7 +16,7 @@ template <int D>
 bool close(Path<D>& path, double reach, std::span<const Sinusoid> departures) {
   const double rise = path.arc.first[vertical<D>];
   const double run = std::max(0.0, -path.arc.second[vertical<D>]);
-  if (std::hypot(rise, run) <= kDirection * reach)
+  if (std::sqrt(rise * rise + run * run) <= kDirection * reach)
     return false; // a level circle
   path.end = ArcPoint::towards(-rise, run);
   path.ends_at_lowest = true;

@@ -91,6 +91,21 @@ void agrees_with_brute_force(bool periodic) {
       for (std::size_t i = 0; i < found.size(); ++i)
         CHECK(found[i] == Approx(expected[i]).margin(1e-14));
 
+      // A body of radius `reach` on its way down misses nothing that it could touch.
+      const double travel = 0.2 * random.uniform();
+      std::vector<double> ahead;
+      grid.for_each_ahead(p, reach, travel, [&](const Vec<D>& c, double r) { ahead.push_back((c - p).norm() - r); });
+      std::sort(ahead.begin(), ahead.end());
+      for_each_image(cloud, [&](const Vec<D>& c, double r) {
+        const double gap = (c - p).norm() - r;
+        if (gap > reach + travel || c[vertical<D>] > p[vertical<D>] + r + reach)
+          return;
+        const auto next = std::lower_bound(ahead.begin(), ahead.end(), gap - 1e-13);
+        REQUIRE(next != ahead.end());
+        CHECK(*next == Approx(gap).margin(1e-13));
+      });
+      CHECK((ahead.empty() || ahead.back() <= reach + travel));
+
       // The same cloud seen by a body of radius `reach` falling from p: where its centre stops.
       const auto landing = [&](const Vec<D>& c, double r) {
         const double lateral2 = (p - c).template head<D - 1>().squaredNorm();
