@@ -9,6 +9,7 @@
 #include "engine/base/files.h"
 
 #include <algorithm>
+#include <span>
 #include <system_error>
 
 namespace tamp {
@@ -29,6 +30,16 @@ std::string similar_file(const std::filesystem::path& file) {
   return found.empty() ? "" : "\n  nearest: " + (file.parent_path() / found).string();
 }
 
+/// Every metric that says something about every scene.
+std::vector<Metric> applicable_metrics(std::span<const PlannedJob> jobs) {
+  std::vector<Metric> applicable;
+  for (const MetricInfo& metric : metrics()) {
+    if (std::all_of(jobs.begin(), jobs.end(), [&](const PlannedJob& job) { return metric.applies(job.job.scene.psd); }))
+      applicable.push_back({metric.name});
+  }
+  return applicable;
+}
+
 } // namespace
 
 Plan read_campaign(std::string_view text, const std::filesystem::path& file) {
@@ -42,8 +53,9 @@ Plan read_campaign(std::string_view text, const std::filesystem::path& file) {
   mistakes.throw_if_any();
 
   CampaignFile read = read_campaign_file(document, file.parent_path(), mistakes);
-  Plan plan{read.campaign, read.title, file.string(), read.run, read.report, read.metrics, expand(read, mistakes)};
+  Plan plan{read.campaign, read.title, file.string(), read.run, read.report, {}, expand(read, mistakes)};
   mistakes.throw_if_any();
+  plan.metrics = read.metrics ? *read.metrics : applicable_metrics(plan.jobs);
   return plan;
 }
 

@@ -60,7 +60,7 @@ struct CampaignFile {
   std::string title;
   RunSettings run;
   ReportSettings report;
-  std::vector<Metric> metrics;
+  std::optional<std::vector<Metric>> metrics; ///< none stated: those that apply to every scene
   std::vector<MethodEntry> methods;
   Repeats repeats;
   std::vector<Statement> scene;

@@ -38,14 +38,7 @@ public:
     with("scene", [&](const JsonNode& node) { read_scene(node, reading_); });
     with("methods", [&](const JsonNode& node) { read_methods(node, reading_); });
     with("sweep", [&](const JsonNode& node) { read_sweep(node, reading_); });
-    if (root_.find("metrics") != nullptr) {
-      with("metrics", [&](const JsonNode& node) { read_metrics(node, reading_); });
-    } else {
-      for (const MetricInfo& metric : metrics()) {
-        reading_.file.metrics.emplace_back();
-        reading_.file.metrics.back().name = metric.name;
-      }
-    }
+    with("metrics", [&](const JsonNode& node) { read_metrics(node, reading_); });
   }
 
 private:

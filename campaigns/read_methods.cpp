@@ -159,6 +159,7 @@ void read_methods(const JsonNode& node, Reading& reading) {
 void read_metrics(const JsonNode& node, Reading& reading) {
   if (!expect_kind(node, Kind::list, "a list of metrics, each a name or an object", "/metrics", reading.mistakes))
     return;
+  std::vector<Metric>& listed = reading.file.metrics.emplace();
   std::set<std::string> seen;
   for (std::size_t i = 0; i < node.items.size(); ++i) {
     const std::string pointer = json_pointer("/metrics", std::to_string(i));
@@ -171,7 +172,7 @@ void read_metrics(const JsonNode& node, Reading& reading) {
            fmt::format("the metric {} stands twice with the same parameters", name_of(entry->root.name)),
            "each metric once",
            ""});
-    reading.file.metrics.push_back(entry->root);
+    listed.push_back(entry->root);
   }
 }
 

@@ -18,7 +18,8 @@ constexpr std::array kTopKeys = {
     TopKey{"replicates", false, "Packings of each point, all different."},
     TopKey{"seed", false, "Chooses the family of random streams."},
     TopKey{"metrics", false,
-           "What is measured: names, or objects with \"name\" and parameters; default: every metric."},
+           "What is measured: names, or objects with \"name\" and parameters; default: every metric that applies to "
+           "every scene."},
     TopKey{"budget", false, kBudgetDoc},
     TopKey{"timing", false, "How jobs share the machine."},
     TopKey{"report", false, "What the report of this campaign contains."},

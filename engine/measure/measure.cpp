@@ -21,6 +21,7 @@ constexpr std::array kMeasurements = {
     Measurement{MetricName::overlap, &measure_overlap},
     Measurement{MetricName::stable_alone, &measure_stable_alone},
     Measurement{MetricName::coordination, &measure_coordination},
+    Measurement{MetricName::composition, &measure_composition},
 };
 
 /// Throws Error unless the packing is one that every metric can work on.

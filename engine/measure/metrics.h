@@ -42,4 +42,9 @@ std::vector<Measure> measure_stable_alone(const Metric& metric, const Packing& p
 /// among themselves; 0 if there is no rest.
 std::vector<Measure> measure_coordination(const Metric& metric, const Packing& packing, const Scene& scene);
 
+/// Of a bimodal law: N_L, the number of large spheres; X_L, their share of the volume (2D: area) of all spheres; P_NL,
+/// their share by number. A sphere is large if its radius is no farther from R_L than from R_S; so at size ratio 1,
+/// where nothing tells them apart, all are large, as the paper counts. Throws NotApplicable for other laws.
+std::vector<Measure> measure_composition(const Metric& metric, const Packing& packing, const Scene& scene);
+
 } // namespace tamp

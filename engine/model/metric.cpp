@@ -7,14 +7,24 @@ namespace tamp {
 
 namespace {
 
+constexpr auto every_law = [](const Psd&) { return true; };
+constexpr auto bimodal = [](const Psd& psd) { return psd.law == Law::bimodal; };
+
 constexpr std::array kMetrics = {
     MetricInfo{MetricName::hellinger, 1,
-               "Hellinger distance of the radii to the law: H_N, H_S (2D) or H_V (3D), and their sampling floor"},
-    MetricInfo{MetricName::phi, 1, "packing fraction of the sub-box, exact: sphere∩box volumes with edges and corners"},
-    MetricInfo{MetricName::phi_paper, 1, "packing fraction by the paper's clipped estimator, and N_PB"},
-    MetricInfo{MetricName::overlap, 1, "largest overlap relative to the smaller radius, and how many pairs overlap"},
-    MetricInfo{MetricName::stable_alone, 1, "share of spheres in equilibrium when looked at alone, neighbours held"},
-    MetricInfo{MetricName::coordination, 1, "mean number of contacts a sphere, with and without rattlers"},
+               "Hellinger distance of the radii to the law: H_N, H_S (2D) or H_V (3D), and their sampling floor",
+               every_law},
+    MetricInfo{MetricName::phi, 1, "packing fraction of the sub-box, exact: sphere∩box volumes with edges and corners",
+               every_law},
+    MetricInfo{MetricName::phi_paper, 1, "packing fraction by the paper's clipped estimator, and N_PB", every_law},
+    MetricInfo{MetricName::overlap, 1, "largest overlap relative to the smaller radius, and how many pairs overlap",
+               every_law},
+    MetricInfo{MetricName::stable_alone, 1, "share of spheres in equilibrium when looked at alone, neighbours held",
+               every_law},
+    MetricInfo{MetricName::coordination, 1, "mean number of contacts a sphere, with and without rattlers", every_law},
+    MetricInfo{MetricName::composition, 1,
+               "number N_L of the large spheres of a bimodal law, their share X_L by volume and P_NL by number",
+               bimodal},
 };
 
 } // namespace

@@ -2,17 +2,18 @@
 #pragma once
 
 #include "engine/model/enum_names.h"
+#include "engine/model/psd.h"
 
 #include <cstdint>
 #include <span>
 
 namespace tamp {
 
-enum class MetricName { hellinger, phi, phi_paper, overlap, stable_alone, coordination };
+enum class MetricName { hellinger, phi, phi_paper, overlap, stable_alone, coordination, composition };
 template <>
 struct EnumNames<MetricName> {
-  static constexpr std::array<std::string_view, 6> value{"hellinger", "phi",          "phi_paper",
-                                                         "overlap",   "stable_alone", "coordination"};
+  static constexpr std::array<std::string_view, 7> value{"hellinger",    "phi",          "phi_paper",  "overlap",
+                                                         "stable_alone", "coordination", "composition"};
 };
 
 /// A metric with its parameters; each metric uses only its own.
@@ -28,6 +29,7 @@ struct MetricInfo {
   MetricName name;
   std::int64_t revision;
   std::string_view summary;
+  bool (*applies)(const Psd& psd); ///< whether the metric has anything to say about spheres of such a law
 };
 
 std::span<const MetricInfo> metrics();

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 namespace tamp::test {
@@ -88,6 +89,14 @@ TEST_CASE("a law can be swept with the parameters of each") {
   REQUIRE(plan.jobs.size() == 4);
   CHECK(plan.jobs[0].job.scene.psd.radius == 2);
   CHECK(plan.jobs[2].job.scene.psd.law == Law::bimodal);
+  const auto composition = [](const Plan& made) {
+    return std::any_of(made.metrics.begin(), made.metrics.end(),
+                       [](const Metric& metric) { return metric.name == MetricName::composition; });
+  };
+  CHECK_FALSE(composition(plan)); // it says nothing about equal spheres
+  CHECK(composition(read_campaign(R"({"campaign": "c", "methods": ["drop-and-roll"], "scene": {"size": 20,
+    "psd": {"law": "bimodal", "small_radius": 1, "size_ratio": 3, "large_volume_fraction": 0.7}}})",
+                                  "c.json")));
   CHECK_FALSE(stated(plan.jobs[2].job.scene.psd.radius)); // the base scene's radius counts only for its law
 }
 
@@ -107,7 +116,10 @@ TEST_CASE("what is not stated takes its default") {
   CHECK(plan.campaign == "test");
   CHECK(plan.title == "test");
   CHECK(plan.file == "some/folder/c.json");
-  CHECK(plan.metrics.size() == metrics().size());
+  const Psd& psd = plan.jobs.at(0).job.scene.psd;
+  CHECK(plan.metrics.size() ==
+        static_cast<std::size_t>(
+            std::count_if(metrics().begin(), metrics().end(), [&](const MetricInfo& m) { return m.applies(psd); })));
   CHECK(plan.run.wall_s == 3600);
   CHECK(plan.run.timing == TimingMode::shared);
   CHECK(plan.report.tables.empty());

@@ -17,7 +17,6 @@ namespace {
 struct Example {
   std::string name;
   Packing packing;
-  Scene scene;
 };
 
 std::vector<Example> examples() {
@@ -26,24 +25,21 @@ std::vector<Example> examples() {
     for (const Boundary boundary : {Boundary::wall, Boundary::periodic, Boundary::open}) {
       RandomStream draw("contract", static_cast<std::uint64_t>(boundary));
       const std::string sides = fmt::format("{} {}D", name_of(boundary), dimension);
-      all.push_back({fmt::format("random {}", sides), random_packing(dimension, 3000, 40, 5, boundary, draw),
-                     powder_scene(dimension)});
-      all.push_back(
-          {fmt::format("cubic {}", sides), cubic_packing(dimension, 6, 1, boundary), powder_scene(dimension)});
+      all.push_back({fmt::format("random {}", sides), random_packing(dimension, 3000, 40, 5, boundary, draw)});
+      all.push_back({fmt::format("cubic {}", sides), cubic_packing(dimension, 6, 1, boundary)});
     }
     // More spheres than a serial loop takes, so that threads have something to do.
     RandomStream draw("contract, many", 0);
     all.push_back({fmt::format("many {}D", dimension),
-                   random_packing(dimension, 20000, dimension == 2 ? 400 : 90, 5, Boundary::periodic, draw),
-                   powder_scene(dimension)});
+                   random_packing(dimension, 20000, dimension == 2 ? 400 : 90, 5, Boundary::periodic, draw)});
   }
   return all;
 }
 
 Scene rescaled_scene(Scene scene, double factor) {
   scene.psd.mu_ln += std::log(factor);
-  scene.psd.r_min *= factor;
-  scene.psd.r_max *= factor;
+  for (double* length : {&scene.psd.r_min, &scene.psd.r_max, &scene.psd.small_radius})
+    *length *= factor;
   return scene;
 }
 
@@ -94,7 +90,8 @@ TEST_CASE("all metrics on all packings") {
     for (const MetricInfo& row : metrics()) {
       CAPTURE(example.name, name_of(row.name));
       const Metric metric = cheap(row.name);
-      const auto found = measure(metric, example.packing, example.scene);
+      const Scene scene = scene_for(row.name, example.packing.dimension);
+      const auto found = measure(metric, example.packing, scene);
       CHECK_FALSE(found.empty());
       for (const Measure& m : found) {
         CHECK(std::isfinite(m.value));
@@ -103,8 +100,8 @@ TEST_CASE("all metrics on all packings") {
       }
 
       const Packing metres = rescaled(example.packing, 1e-6);
-      check_same(found, measure(metric, metres, rescaled_scene(example.scene, 1e-6)));
-      check_same(found, measure(metric, in_reverse(example.packing), example.scene));
+      check_same(found, measure(metric, metres, rescaled_scene(scene, 1e-6)));
+      check_same(found, measure(metric, in_reverse(example.packing), scene));
     }
   }
 }
@@ -115,7 +112,7 @@ TEST_CASE("metrics give the same bytes on one thread and on two") {
       CAPTURE(example.name, name_of(row.name));
       const auto run = [&](std::size_t threads) {
         const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism, threads);
-        return measure(cheap(row.name), example.packing, example.scene);
+        return measure(cheap(row.name), example.packing, scene_for(row.name, example.packing.dimension));
       };
       const auto one = run(1);
       const auto two = run(2);
@@ -130,7 +127,7 @@ TEST_CASE("packings that cannot be judged are errors that say why") {
   for (const MetricInfo& row : metrics()) {
     CAPTURE(name_of(row.name));
     const Metric metric = metric_of(row.name);
-    const Scene scene = powder_scene(3);
+    const Scene scene = scene_for(row.name, 3);
     CHECK_THROWS_WITH(measure(metric, box_of(3, 10), scene), Catch::Contains("empty packing"));
 
     const Packing sound = cubic_packing(3, 2, 1, Boundary::wall);
@@ -161,10 +158,10 @@ TEST_CASE("a single sphere is measured, or refused where it means nothing") {
     CAPTURE(name_of(row.name));
     const bool density = row.name == MetricName::phi || row.name == MetricName::phi_paper;
     if (density) {
-      CHECK_THROWS_AS(measure(metric_of(row.name), one, powder_scene(3)), Error);
+      CHECK_THROWS_AS(measure(metric_of(row.name), one, scene_for(row.name, 3)), Error);
       continue;
     }
-    for (const Measure& m : measure(metric_of(row.name), one, powder_scene(3)))
+    for (const Measure& m : measure(metric_of(row.name), one, scene_for(row.name, 3)))
       CHECK(std::isfinite(m.value));
   }
 }

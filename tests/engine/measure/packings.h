@@ -23,6 +23,23 @@ inline Scene powder_scene(int dimension) {
   return scene;
 }
 
+/// Spheres of radius 1 and 4; half the volume (2D: area) in the large ones.
+inline Scene bimodal_scene(int dimension) {
+  Scene scene;
+  scene.dimension = dimension;
+  scene.psd.law = Law::bimodal;
+  scene.psd.small_radius = 1;
+  scene.psd.size_ratio = 4;
+  scene.psd.large_volume_fraction = 0.5;
+  return scene;
+}
+
+/// A scene that the metric has something to say about.
+inline Scene scene_for(MetricName name, int dimension) {
+  const Scene powder = powder_scene(dimension);
+  return info(name).applies(powder.psd) ? powder : bimodal_scene(dimension);
+}
+
 /// An empty packing in a box of equal edges.
 inline Packing box_of(int dimension, double edge, Boundary boundary = Boundary::wall) {
   Packing packing;
