@@ -2,7 +2,9 @@
 #pragma once
 
 #include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -15,6 +17,15 @@ inline constexpr std::size_t kSerialThreshold = 4096;
 
 /// Elements summed in one go by parallel_sum; fixed, so the grouping of a sum never depends on the machine.
 inline constexpr std::size_t kSumBlock = 4096;
+
+/// Threads that a loop over n elements would use: for choosing between two ways to the same result.
+inline std::size_t threads_for(std::size_t n) {
+  using oneapi::tbb::global_control;
+  if (n < kSerialThreshold)
+    return 1;
+  return std::min(static_cast<std::size_t>(oneapi::tbb::this_task_arena::max_concurrency()),
+                  global_control::active_value(global_control::max_allowed_parallelism));
+}
 
 /// Calls f(i) for every i in [0, n). f must write only to places of its own i.
 template <class F>

@@ -30,13 +30,9 @@ struct Jkr {
     return {(4.0 / 3.0 * a * a / radius - 2 * stretch() * std::sqrt(a)) * modulus * a, a};
   }
 
-  /// ∫F dδ from a = 0, along the curve of δ(a) and F(a).
+  /// ∫₀^δ F dδ: from the first touch.
   [[nodiscard]] double energy(double overlap, double radius) const {
-    const double a = contact_radius(overlap, radius);
-    const double s = stretch();
-    const double a2 = a * a;
-    return modulus * a2 * (8.0 / 15.0 * a2 * a / (radius * radius) - 4.0 / 3.0 * s * a * std::sqrt(a) / radius) +
-           modulus * s * s / 2 * a2;
+    return energy_of(contact_radius(overlap, radius), radius) - energy_of(contact_radius(0, radius), radius);
   }
 
   /// 3/2 πWR.
@@ -48,6 +44,14 @@ struct Jkr {
   }
 
 private:
+  /// ∫F dδ from a = 0 along the curve of δ(a) and F(a).
+  [[nodiscard]] double energy_of(double a, double radius) const {
+    const double s = stretch();
+    const double a2 = a * a;
+    return modulus * a2 * (8.0 / 15.0 * a2 * a / (radius * radius) - 4.0 / 3.0 * s * a * std::sqrt(a) / radius) +
+           modulus * s * s / 2 * a2;
+  }
+
   /// √(2πW/E*): the neck lengthens the contact by this times √a.
   [[nodiscard]] double stretch() const { return std::sqrt(2 * std::numbers::pi * adhesion / modulus); }
 

@@ -1,0 +1,303 @@
+// The drive of a settling run: steps, the watch over their stability, rest, stiffening, and the file to go on from.
+#pragma once
+
+#include "engine/base/files.h"
+#include "engine/dem/fire.h"
+#include "engine/dem/settle.h"
+#include "engine/dem/state_file.h"
+#include "engine/dem/time_step.h"
+#include "engine/dem/verlet.h"
+
+#include <chrono>
+#include <optional>
+
+namespace tamp {
+
+/// Steps between two looks at energy, overlap and rest.
+inline constexpr int kWatchSteps = 100;
+/// A step is unstable if the whole energy rose between two looks by more than this share of the larger kinetic and
+/// contact energies (friction can give back what its springs hold: less), or if an overlap went beyond kDeepest radii.
+inline constexpr double kEnergyAlarm = 0.2;
+inline constexpr double kDeepest = 0.5;
+/// Rounding of the height energy, relative to it, that is no alarm.
+inline constexpr double kEnergyRounding = 1e-11;
+/// Looks with little motion in which the imbalance of forces must have halved.
+inline constexpr int kStillLooks = 200;
+/// Halvings after which a run is given up.
+inline constexpr int kMostHalvings = 12;
+/// Stiffenings after which a bed is left as it is; and how much more than needed contacts are stiffened, as a stiffer
+/// bed carries its weight on fewer contacts.
+inline constexpr int kMostStiffenings = 6;
+inline constexpr double kStiffenMargin = 1.3;
+/// Margin of the near list in median radii. Measured on beds of equal and lognormal spheres it decides speed by less
+/// than a tenth between 0.1 and 0.3.
+inline constexpr double kSkin = 0.15;
+/// FIRE may take longer steps than an integrator that must follow every collision.
+inline constexpr double kFireStep = 4;
+
+/// Moves by velocity Verlet.
+struct VerletMover {
+  double dt;
+  static constexpr bool follows_time = true;
+  template <int D, class Law>
+  void step(State<D, Law>& s, ForceField<D, Law>& field) {
+    verlet_step(s, field, dt);
+  }
+  void set_step(double longest) { dt = longest; }
+  void halve() { dt /= 2; }
+  template <class F>
+  void for_each_number(F&& f) {
+    f(dt);
+  }
+};
+
+/// Moves by FIRE.
+struct FireMover {
+  Fire fire;
+  static constexpr bool follows_time = false;
+  template <int D, class Law>
+  void step(State<D, Law>& s, ForceField<D, Law>& field) {
+    fire.step(s, field);
+  }
+  void set_step(double longest) { fire = {longest, kFireStep * longest}; }
+  void halve() { fire = {fire.dt_max / (2 * kFireStep), fire.dt_max / 2}; }
+  template <class F>
+  void for_each_number(F&& f) {
+    f(fire.dt);
+    f(fire.dt_max);
+    f(fire.mixing);
+    f(fire.downhill);
+  }
+};
+
+template <int D, class Law, class Mover>
+class SettleRun {
+public:
+  /// make_law(E*): the contact law at a stiffness.
+  template <class MakeLaw>
+  SettleRun(const SettleTask<D>& task, MakeLaw make_law)
+      : task_(task), make_law_(std::move(make_law)), state_(at_rest<D, Law>(task.centres, task.radii, task.masses)),
+        field_(make_law_(task.modulus), task.box, Vec<D>(-task.gravity * Vec<D>::Unit(vertical<D>)), skin(task)) {
+    if constexpr (Law::turns) {
+      if (task.gyration > 0)
+        state_.gyration = task.gyration;
+    }
+    double top = 0;
+    for (const Vec<D>& c : task.centres)
+      top = std::max(top, c[vertical<D>]);
+    fall_time_ = std::sqrt(2 * top / task.gravity);
+    for (const double m : task.masses)
+      weight_ += m * task.gravity;
+    for (const double r : task.radii)
+      mean_radius_ += r / static_cast<double>(task.radii.size());
+    result_.modulus = task.modulus;
+    mover_.set_step(stable_step());
+  }
+
+  Settled<D> run() {
+    if (!resume())
+      field_.evaluate(state_, 0);
+    Look last = look();
+    auto saved = std::chrono::steady_clock::now();
+    Good good = remember();
+    while (!done(last)) {
+      for (int k = 0; k < kWatchSteps; ++k)
+        mover_.step(state_, field_);
+      result_.steps += kWatchSteps;
+      const Look now = look();
+      if (unstable(last, now) || jitters(now)) {
+        if (result_.halvings == kMostHalvings)
+          return finish(last, false);
+        ++result_.halvings;
+        good.mover.halve();
+        restore(good);
+        continue;
+      }
+      last = now;
+      elapsed_ += kWatchSteps * step_length();
+      if (at_rest_now(last) && last.contacts.overlap > task_.overlap && stiffen(last))
+        last = look();
+      good = remember();
+      const auto clock = std::chrono::steady_clock::now();
+      if (!task_.checkpoint.empty() &&
+          std::chrono::duration<double>(clock - saved).count() >= task_.checkpoint_every_s) {
+        save();
+        saved = clock;
+      }
+      if (task_.progress)
+        task_.progress(std::min(1.0, task_.force_balance / std::max(last.balance, task_.force_balance)));
+    }
+    return finish(last, at_rest_now(last));
+  }
+
+private:
+  struct Look {
+    ContactSummary contacts;
+    double kinetic = 0;
+    double total = 0;
+    double balance = 0;
+  };
+  struct Good {
+    State<D, Law> state;
+    ForceField<D, Law> field;
+    Mover mover;
+  };
+
+  static double skin(const SettleTask<D>& task) {
+    std::vector<double> radii = task.radii;
+    const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+    std::nth_element(radii.begin(), middle, radii.end());
+    return kSkin * *middle;
+  }
+
+  double step_length() {
+    if constexpr (Mover::follows_time)
+      return mover_.dt;
+    else
+      return mover_.fire.dt;
+  }
+
+  [[nodiscard]] double stable_step() const {
+    double shortest = std::numeric_limits<double>::infinity();
+    // No sphere meets another faster than by a fall from the top.
+    const double speed = Mover::follows_time ? task_.gravity * fall_time_ : 0;
+    for (std::size_t i = 0; i < state_.count(); ++i)
+      shortest = std::min(shortest,
+                          shortest_collision(result_.modulus, state_.radius[i], state_.mass[i], speed, task_.overlap));
+    return shortest / (task_.steps_per_collision > 0 ? task_.steps_per_collision : kStepsPerCollision);
+  }
+
+  [[nodiscard]] Look look() const {
+    Look l;
+    l.contacts = field_.summary(state_);
+    l.kinetic = kinetic_energy(state_);
+    l.total = l.kinetic + l.contacts.energy + task_.gravity * parallel_sum<double>(state_.count(), [&](std::size_t i) {
+                                                return state_.mass[i] * state_.centre[i][vertical<D>];
+                                              });
+    const double net =
+        parallel_sum<double>(state_.count(), [&](std::size_t i) { return state_.force[i].squaredNorm(); });
+    const double mean_contact = l.contacts.contacts > 0 ? l.contacts.force / l.contacts.contacts : 0;
+    l.balance = mean_contact > 0 ? std::sqrt(net / static_cast<double>(state_.count())) / mean_contact
+                                 : std::numeric_limits<double>::infinity();
+    return l;
+  }
+
+  [[nodiscard]] bool unstable(const Look& before, const Look& now) const {
+    const double moving = std::max(before.kinetic, now.kinetic) +
+                          std::max(std::abs(before.contacts.energy), std::abs(now.contacts.energy));
+    const double allowed = kEnergyAlarm * moving + kEnergyRounding * std::abs(before.total);
+    const bool energy = !(now.total <= before.total + allowed); // NaN is an alarm
+    return energy || !(now.contacts.overlap <= std::max(kDeepest, before.contacts.overlap));
+  }
+
+  /// Whether forces have stayed out of balance for long though nearly nothing moves: what a step does that is just too
+  /// long for the fastest contact, whose swing then neither grows nor dies.
+  bool jitters(const Look& now) {
+    if (!Mover::follows_time || mean_kinetic(now) > task_.kinetic_energy || at_rest_now(now)) {
+      still_looks_ = 0;
+      return false;
+    }
+    if (still_looks_++ == 0)
+      still_balance_ = now.balance;
+    if (still_looks_ < kStillLooks)
+      return false;
+    still_looks_ = 0;
+    return now.balance > still_balance_ / 2;
+  }
+
+  [[nodiscard]] double mean_kinetic(const Look& l) const { return l.kinetic / (weight_ * mean_radius_); }
+
+  [[nodiscard]] bool at_rest_now(const Look& l) const {
+    return l.balance <= task_.force_balance && (!Mover::follows_time || mean_kinetic(l) <= task_.kinetic_energy);
+  }
+
+  [[nodiscard]] bool done(const Look& l) const {
+    if (elapsed_ > task_.longest * fall_time_)
+      return true;
+    return at_rest_now(l) && (l.contacts.overlap <= task_.overlap || !can_stiffen());
+  }
+
+  [[nodiscard]] bool can_stiffen() const {
+    return result_.modulus < task_.largest_modulus && result_.stiffenings < kMostStiffenings;
+  }
+
+  bool stiffen(const Look& l) {
+    if (!can_stiffen())
+      return false;
+    ++result_.stiffenings;
+    // Under the same force δ ∝ E*^{−2/3}.
+    result_.modulus = std::min(task_.largest_modulus,
+                               kStiffenMargin * result_.modulus * std::pow(l.contacts.overlap / task_.overlap, 1.5));
+    field_.set_law(make_law_(result_.modulus), state_);
+    mover_.set_step(stable_step());
+    field_.evaluate(state_, 0);
+    return true;
+  }
+
+  Good remember() const { return {state_, field_, mover_}; }
+  void restore(const Good& good) {
+    state_ = good.state;
+    field_ = good.field;
+    mover_ = good.mover;
+  }
+
+  template <class F>
+  void for_each_number(F&& f) {
+    f(elapsed_);
+    f(still_looks_);
+    f(still_balance_);
+    f(result_.modulus);
+    f(result_.steps);
+    f(result_.halvings);
+    f(result_.stiffenings);
+    mover_.for_each_number(f);
+  }
+
+  void save() {
+    ByteWriter out;
+    for_each_number([&](const auto& number) { out.put(number); });
+    write_state(out, state_, field_);
+    write_atomically(task_.checkpoint, out.bytes());
+  }
+
+  bool resume() {
+    std::error_code none;
+    if (task_.checkpoint.empty() || !std::filesystem::exists(task_.checkpoint, none))
+      return false;
+    const std::string bytes = read_file(task_.checkpoint);
+    ByteReader in(bytes);
+    SettleRun fresh = *this;
+    for_each_number([&](auto& number) { in.get(number); });
+    field_.set_law(make_law_(result_.modulus), state_);
+    if (in.good && read_state(in, state_, field_))
+      return true;
+    *this = std::move(fresh);
+    return false;
+  }
+
+  Settled<D> finish(const Look& l, bool rests) {
+    result_.centres = state_.centre;
+    result_.at_rest = rests;
+    result_.overlap = l.contacts.overlap;
+    result_.force_balance = l.balance;
+    result_.kinetic_energy = mean_kinetic(l);
+    result_.step = step_length();
+    result_.list_rebuilds = static_cast<std::int64_t>(field_.rebuilds());
+    return result_;
+  }
+
+  SettleTask<D> task_;
+  std::function<Law(double)> make_law_;
+  State<D, Law> state_;
+  ForceField<D, Law> field_;
+  Mover mover_{};
+  Settled<D> result_;
+  double elapsed_ = 0;
+  std::int64_t still_looks_ = 0; // for how many looks there has been little motion, and the balance at the first
+  double still_balance_ = 0;
+  double fall_time_ = 0;
+  double weight_ = 0;
+  double mean_radius_ = 0;
+};
+
+} // namespace tamp

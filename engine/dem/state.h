@@ -1,0 +1,61 @@
+// The moving spheres: one array per quantity; what a contact law does not call for has no array.
+#pragma once
+
+#include "engine/base/vec.h"
+#include "engine/contact/spin.h"
+
+#include <type_traits>
+#include <vector>
+
+namespace tamp {
+
+/// Spins and torques of spheres that turn.
+template <int D, bool turns>
+struct Rotation {
+  std::vector<Spin<D>> spin;           ///< angular velocities
+  std::vector<Spin<D>> torque;         ///< about the centres
+  double gyration = tamp::gyration<D>; ///< moment of inertia divided by m r²
+};
+/// Spheres that do not turn.
+template <int D>
+struct Rotation<D, false> {};
+
+/// n spheres. Any consistent units.
+template <int D, class Law>
+struct State : Rotation<D, Law::turns> {
+  std::vector<Vec<D>> centre;
+  std::vector<Vec<D>> velocity;
+  std::vector<Vec<D>> force;
+  std::vector<double> radius;
+  std::vector<double> mass;
+
+  [[nodiscard]] std::size_t count() const { return radius.size(); }
+};
+
+/// Spheres at rest.
+template <int D, class Law>
+State<D, Law> at_rest(std::vector<Vec<D>> centres, std::vector<double> radii, std::vector<double> masses) {
+  State<D, Law> state;
+  const std::size_t n = radii.size();
+  state.velocity.assign(n, Vec<D>::Zero());
+  state.force.assign(n, Vec<D>::Zero());
+  if constexpr (Law::turns) {
+    state.spin.assign(n, zero_spin<D>());
+    state.torque.assign(n, zero_spin<D>());
+  }
+  state.centre = std::move(centres);
+  state.radius = std::move(radii);
+  state.mass = std::move(masses);
+  return state;
+}
+
+/// What contacts remember, one entry per near pair or wall; nothing if the law needs no memory.
+template <int D, class Law, bool remembers = !std::is_empty_v<typename Law::template History<D>>>
+struct Memories {
+  std::vector<typename Law::template History<D>> of_pair;
+  std::vector<typename Law::template History<D>> of_wall;
+};
+template <int D, class Law>
+struct Memories<D, Law, false> {};
+
+} // namespace tamp
