@@ -26,8 +26,9 @@ struct ResultRow {
 /// jobs that no campaign names. Throws InputError for an unknown campaign, naming the known ones.
 std::vector<ResultRow> results(const Store& store, std::string_view campaign);
 
-/// An array of {key, campaign, method, scene, replicate, outcome, reason, time: {wall_s, cpu_s, peak_rss_bytes, mode},
-/// measures: {name: {value, unit}}}; scene is the canonical scene.
+/// An array of {key, campaign, method, label, parent (the key of the packing it starts from, or empty), scene,
+/// replicate, outcome, reason, time: {wall_s, cpu_s, peak_rss_bytes, mode}, measures: {name: {value, unit}}}; scene is
+/// the canonical scene.
 std::string results_json(std::span<const ResultRow> rows);
 
 /// The same as RFC 4180 text with a header line. The scene is spread over columns "scene/size", "scene/psd/law", …; a

@@ -27,6 +27,8 @@ Json json_of(const ResultRow& row) {
   return {{"key", record.key},
           {"campaign", row.campaign},
           {"method", record.name},
+          {"label", row.label},
+          {"parent", record.parent},
           {"scene", scene_of(row)},
           {"replicate", row.replicate},
           {"outcome", name_of(record.outcome)},
@@ -68,14 +70,16 @@ void add_line(const std::vector<std::string>& fields, std::string& out) {
   out += "\r\n";
 }
 
-constexpr std::array fixed_columns{"key",    "campaign", "method", "replicate",      "outcome",
-                                   "reason", "wall_s",   "cpu_s",  "peak_rss_bytes", "mode"};
+constexpr std::array fixed_columns{"key",     "campaign", "method", "label", "parent",         "replicate",
+                                   "outcome", "reason",   "wall_s", "cpu_s", "peak_rss_bytes", "mode"};
 
 std::vector<std::string> fixed_fields(const ResultRow& row) {
   const Record& r = row.generation;
   return {r.key,
           row.campaign,
           r.name,
+          row.label,
+          r.parent,
           std::to_string(row.replicate),
           std::string(name_of(r.outcome)),
           r.reason,

@@ -4,6 +4,7 @@
 #include "engine/base/error.h"
 #include "engine/generate/drop_and_roll/drop_and_roll.h"
 #include "engine/generate/lattice.h"
+#include "engine/generate/moving_enlarging/moving_enlarging.h"
 
 #include <fmt/format.h>
 
@@ -16,6 +17,7 @@ namespace {
 constexpr std::array kGenerators = {
     Generator{MethodName::drop_and_roll, &generate_drop_and_roll},
     Generator{MethodName::lattice, &generate_lattice},
+    Generator{MethodName::drop_and_roll_me, &generate_moving_enlarging},
 };
 
 } // namespace

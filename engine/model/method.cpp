@@ -12,6 +12,8 @@ constexpr std::array kMethods = {
                "drop each sphere, roll it down to a stable place (sequential, geometric)"},
     MethodInfo{MethodName::lattice, 1, Start::scene,
                "equal spheres on a lattice of known density, to judge the metrics"},
+    MethodInfo{MethodName::drop_and_roll_me, 1, Start::packing,
+               "move the spheres of a drop-and-roll packing into the middle of their neighbours and let them grow"},
 };
 
 } // namespace

@@ -8,10 +8,10 @@
 
 namespace tamp {
 
-enum class MethodName { drop_and_roll, lattice };
+enum class MethodName { drop_and_roll, lattice, drop_and_roll_me };
 template <>
 struct EnumNames<MethodName> {
-  static constexpr std::array<std::string_view, 2> value{"drop-and-roll", "lattice"};
+  static constexpr std::array<std::string_view, 3> value{"drop-and-roll", "lattice", "drop-and-roll-me"};
 };
 
 /// What drop-and-roll does with the radius of a sphere that does not fit under the lid.
@@ -37,11 +37,16 @@ struct Lattice {
   LatticeKind kind = LatticeKind::square;
 };
 
+struct MovingEnlarging {
+  std::int64_t sweeps = 4; ///< passes of moving and enlarging
+};
+
 /// A method with its parameters; only the struct that `name` selects counts.
 struct Method {
   MethodName name = MethodName::drop_and_roll;
   DropAndRoll drop_and_roll;
   Lattice lattice;
+  MovingEnlarging moving_enlarging;
 };
 
 /// Whether a method starts from the packing of another job.

@@ -13,6 +13,8 @@ namespace tamp::test {
 namespace {
 
 using Catch::Contains;
+using Catch::EndsWith;
+using Catch::StartsWith;
 
 std::size_t paragraphs(const std::string& message) {
   std::size_t count = message.empty() ? 0 : 1;
@@ -67,10 +69,10 @@ TEST_CASE("ten malformed campaigns, each told in full") {
              Contains("  allowed: parameters and moments that agree within 1 %, or only one of the two"));
   CHECK(paragraphs(contradictory) == 1);
   // unknown method
-  CHECK(error_of(valid_with("\"drop-and-roll\"", "\"drop-and-rol\"")) ==
-        "c.json:13:15: at /methods/0: \"drop-and-rol\" is no choice\n"
-        "  allowed: one of \"drop-and-roll\", \"lattice\": Which generator makes the packing.\n"
-        "  nearest: drop-and-roll");
+  CHECK_THAT(error_of(valid_with("\"drop-and-roll\"", "\"drop-and-rol\"")),
+             StartsWith("c.json:13:15: at /methods/0: \"drop-and-rol\" is no choice\n"
+                        "  allowed: one of \"drop-and-roll\", \"lattice\", ") &&
+                 EndsWith(": Which generator makes the packing.\n  nearest: drop-and-roll"));
   // box smaller than the largest sphere
   CHECK(error_of(valid_with("133", "90")) ==
         "c.json:4:13: at /scene/size: \"size\" has the edge 90 um, smaller than the largest sphere (diameter 100 um)\n"

@@ -51,8 +51,8 @@ TEST_CASE("results as JSON have the promised form") {
   std::vector<std::string> keys;
   for (const auto& [key, value] : first.items())
     keys.push_back(key);
-  CHECK(keys == std::vector<std::string>{"campaign", "key", "measures", "method", "outcome", "reason", "replicate",
-                                         "scene", "time"});
+  CHECK(keys == std::vector<std::string>{"campaign", "key", "label", "measures", "method", "outcome", "parent",
+                                         "reason", "replicate", "scene", "time"});
   CHECK(first["key"] == example_record(0).key);
   CHECK(first["campaign"] == "c");
   CHECK(first["method"] == "drop-and-roll");
@@ -135,7 +135,7 @@ TEST_CASE("results as CSV spread scenes and measures over columns") {
   const Store store = example_store(folder);
   const std::string csv = results_csv(results(store, "c"));
   const std::string header = csv.substr(0, csv.find("\r\n"));
-  CHECK(header == "key,campaign,method,replicate,outcome,reason,wall_s,cpu_s,peak_rss_bytes,mode,"
+  CHECK(header == "key,campaign,method,label,parent,replicate,outcome,reason,wall_s,cpu_s,peak_rss_bytes,mode,"
                   "scene/count,scene/dimension,scene/psd/law,scene/psd/mu_ln,scene/psd/sigma_ln,scene/sampler,"
                   "scene/sides,scene/size,scene/unit,N,gap [um],tiny,H_N,bins");
   CHECK_THAT(csv, Contains(",\"[600,600]\",um,20654.0,0.30000000000000004,5e-324,0.125,80.0\r\n"));

@@ -37,6 +37,44 @@ TEST_CASE("a campaign runs, and running it again does nothing") {
   CHECK_THAT(shop.tamp("status").out, Contains("discs (discs.json): 3 of 3 packings recorded: 3 ok"));
 }
 
+TEST_CASE("a method starts from the packing of another entry: after it, from its very packing, not where it has none") {
+  const Workshop shop(TAMP_BINARY);
+  const auto campaign = [](const char* budget) {
+    return fmt::format(R"({{"campaign": "chain", "scene": {{"dimension": 2, "size": 30, "psd": {{"law": "lognormal", )"
+                       R"("mu_ln": 0, "sigma_ln": 0.5, "r_min": 0.3, "r_max": 4}}}}, "replicates": 2, "methods": [)"
+                       R"({{"name": "drop-and-roll", "label": "bed"}}, )"
+                       R"({{"name": "drop-and-roll-me", "label": "denser", "from": "bed"}}], {}"metrics": ["phi"]}})",
+                       budget);
+  };
+  shop.write("chain.json", campaign(""));
+  const Said run = shop.tamp("run chain.json");
+  CAPTURE(run.out, run.err);
+  REQUIRE(run.code == 0);
+  CHECK_THAT(run.err, Contains("denser, replicate 1: ok"));
+  std::size_t children = 0;
+  const auto results = shop.results("tamp-store");
+  for (const auto& [key, row] : results) {
+    if (row.at("method") == "drop-and-roll-me") {
+      CHECK(results.at(row.at("parent").get<std::string>()).at("method") == "drop-and-roll");
+      ++children;
+    }
+  }
+  CHECK(children == 2);
+  CHECK_THAT(shop.tamp("run chain.json").out, Contains("nothing to do"));
+
+  shop.write("poor.json", campaign(R"("seed": 2, "budget": {"memory_mb": 1}, )"));
+  const Said poor = shop.tamp("run poor.json");
+  CHECK(poor.code == 1);
+  CHECK_THAT(poor.out, Contains("not possible, as their packing was not made"));
+
+  shop.write("wrong.json", R"({"campaign": "w", "scene": {"size": 9, "psd": {"law": "monodisperse", "radius": 1}},
+"methods": ["drop-and-roll", {"name": "drop-and-roll-me", "from": "drop-and-rol"}]})");
+  const Said wrong = shop.tamp("run wrong.json");
+  CHECK(wrong.code == 2);
+  CHECK_THAT(wrong.err, Contains("at /methods/1/from: no entry further up has the label \"drop-and-rol\"") &&
+                            Contains("nearest: drop-and-roll"));
+}
+
 TEST_CASE("a damaged packing is set aside when it is needed and made again by the next run") {
   const Workshop shop(TAMP_BINARY);
   shop.write("discs.json", disc_campaign(20, 1, R"(, "metrics": ["phi"])"));
