@@ -58,7 +58,7 @@ struct Constraint {
   /// The height at which a centre falling straight down from p lands on this sphere; −∞ if it passes by.
   [[nodiscard]] double landing(const Vec<D>& p) const {
     const double lateral2 = (p - anchor).template head<D - 1>().squaredNorm();
-    const double clear = reach - tolerance;
+    const double clear = reach - 2 * tolerance; // what a roll grazed must not stop the fall that follows
     if (lateral2 >= clear * clear)
       return -std::numeric_limits<double>::infinity();
     return anchor[vertical<D>] + std::sqrt(reach * reach - lateral2);

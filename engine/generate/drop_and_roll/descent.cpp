@@ -12,6 +12,15 @@ namespace {
 /// rounding must be turning it in circles.
 constexpr int kMaxSteps = 1000000;
 
+/// Events in a row without coming lower after which a balanced sphere is left where it is: no fewer than the contacts
+/// that may have to be found, one an event. Between walls that leave it less than its normals are exact to, it would go
+/// from side to side for ever.
+constexpr int kMaxIdle = 64;
+
+/// A slope that a sphere may as well cross another way than straight down, which rounding can point into a neighbour
+/// that only touches: over the top it rises by half its square, which is no length.
+constexpr double kLevel = 100 * kDirection;
+
 /// How far, in its own radii, a sphere travels before its surroundings are gathered anew: further where there was
 /// little to gather (on the flank of a much larger sphere), up to kFurthestReach. Measured in 3D: reaches from 1 to 2
 /// cost the same within noise; letting it grow saves a tenth of the lognormal powder's time and a fifth of the events
@@ -34,21 +43,35 @@ Descent<D>::Descent(const Vec<D>& size, const std::array<bool, D>& periodic, con
 
 template <int D>
 typename Descent<D>::End Descent<D>::run(Vec<D>& p, double radius) {
+  begin(p, radius);
+  for (int i = 0; i < kMaxSteps; ++i) {
+    if (const std::optional<End> end = advance()) {
+      p = p_;
+      return *end;
+    }
+  }
+  return End::unresolved;
+}
+
+template <int D>
+void Descent<D>::begin(const Vec<D>& p, double radius) {
   p_ = p;
   radius_ = radius;
   touching_.clear();
   normals_.clear();
   reach_ = kGatherReach;
   near_.assign(kFewObstacles, {}); // the first search keeps to the reach
-  for (int i = 0; i < kMaxSteps; ++i) {
-    ++events_;
-    const Step result = step();
-    if (result == Step::moved)
-      continue;
-    p = p_;
-    return result == Step::stable && overlaps_nothing() ? End::stable : End::unresolved;
-  }
-  return End::unresolved;
+  lowest_ = p[vertical<D>];
+  idle_ = 0;
+}
+
+template <int D>
+std::optional<typename Descent<D>::End> Descent<D>::advance() {
+  ++events_;
+  const Step result = step();
+  if (result == Step::moved)
+    return std::nullopt;
+  return result == Step::stable && overlaps_nothing() ? End::stable : End::unresolved;
 }
 
 template <int D>
@@ -76,12 +99,18 @@ template <int D>
 typename Descent<D>::Step Descent<D>::step() {
   if (is_supported(true))
     return Step::stable;
+  if (is_idle() && is_balanced())
+    return Step::stable;
   if (fall_is_free())
     return fall();
   Path<D> path;
   Support<D> guide;
-  if (choose_path(path, guide))
-    return follow(path, guide);
+  if (choose_path(path, guide)) {
+    if (const Step result = follow(path, guide); result != Step::stuck)
+      return result;
+  }
+  if (passes_between())
+    return fall();
   return is_supported(false) ? Step::stable : Step::stuck;
 }
 
@@ -96,9 +125,38 @@ bool Descent<D>::is_supported(bool firmly) const {
          });
 }
 
+/// On fewer contacts than D, that leave no velocity.
+template <int D>
+bool Descent<D>::is_balanced() const {
+  for (int size = 1; size < D; ++size) {
+    if (for_each_support<D>(touching_.size(), size, [&](Support<D>& support) {
+          return presses(normals_, support) && support.velocity.norm() < kLevel && admissible(support);
+        }))
+      return true;
+  }
+  return false;
+}
+
+template <int D>
+bool Descent<D>::is_idle() {
+  if (const double z = p_[vertical<D>]; z < lowest_ - kNoMotion * radius_) {
+    lowest_ = z;
+    idle_ = 0;
+  }
+  return ++idle_ > kMaxIdle;
+}
+
 template <int D>
 bool Descent<D>::fall_is_free() const {
   return std::all_of(normals_.begin(), normals_.end(), [](const Vec<D>& n) { return n[vertical<D>] <= kDirection; });
+}
+
+/// Whether everything that touches would only be grazed by a fall: the sphere is in a throat of its own size.
+template <int D>
+bool Descent<D>::passes_between() const {
+  return std::none_of(touching_.begin(), touching_.end(), [&](const Constraint<D>& c) {
+    return c.is_sphere() ? std::isfinite(c.landing(p_)) : c.axis == vertical<D>;
+  });
 }
 
 template <int D>
@@ -138,9 +196,9 @@ bool Descent<D>::choose_path(Path<D>& path, Support<D>& guide) const {
         return false;
       guide = support;
       // Balanced on a top, a sphere may go either way; it takes the first that is free.
-      const bool balanced = support.velocity.norm() < kDirection;
-      const int first = balanced ? 0 : kDownhill;
-      const int last = balanced ? kSides<D> - 1 : kDownhill;
+      const double slope = support.velocity.norm();
+      const int first = slope < kDirection ? 0 : kDownhill;
+      const int last = slope < kLevel ? kSides<D> - 1 : kDownhill;
       for (int side = first; side <= last; ++side) {
         if (make_path(support, side, path) && !is_blocked(path, support))
           return true;
@@ -219,7 +277,10 @@ typename Descent<D>::Step Descent<D>::follow(const Path<D>& path, const Support<
     gather();
     return Step::moved;
   }
-  if (met != nullptr && best.u <= kNoMotion) {
+  // A contact so near that it touches already stops the sphere where it is: else two such contacts in turn, each out of
+  // touch with the other, would keep it going for ever.
+  const double way = 2 * best.u * path.arc.first.norm(); // near enough where it is short
+  if (met != nullptr && (best.u <= kNoMotion || way <= met->tolerance)) {
     if (is_touching(*met))
       return Step::stuck;
     add_touching(*met);

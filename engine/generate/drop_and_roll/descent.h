@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace tamp {
@@ -26,15 +27,22 @@ template <int D>
 class Descent {
 public:
   enum class End {
-    stable,     ///< supported by contacts that can all press
+    stable,     ///< supported by contacts that can all press, or balanced on fewer with nowhere lower to go
     unresolved, ///< rounding left no admissible motion; the position must not be used
   };
 
   Descent(const Vec<D>& size, const std::array<bool, D>& periodic, const HierarchicalGrid<D>& grid);
 
   /// Moves a sphere of the given radius from p down to rest. p must not overlap the bed by more than rounding.
-  /// On periodic axes the result may lie outside the box. The height of p never increases.
+  /// On periodic axes the result may lie outside the box. The height of p never increases by more than kTouch·radius
+  /// from event to event.
   End run(Vec<D>& p, double radius);
+
+  /// The same motion event by event, to be watched: `begin`, then `advance` until it tells the end; in between
+  /// `position` is where the sphere has come, on the path that its last event ended.
+  void begin(const Vec<D>& p, double radius);
+  std::optional<End> advance();
+  [[nodiscard]] const Vec<D>& position() const { return p_; }
 
   /// Events (contacts, departures) handled since construction, to compare cost with.
   [[nodiscard]] std::uint64_t events() const { return events_; }
@@ -45,7 +53,10 @@ private:
   void gather();
   Step step();
   bool is_supported(bool firmly) const;
+  bool is_balanced() const;
+  bool is_idle();
   bool fall_is_free() const;
+  bool passes_between() const;
   Step fall();
   bool choose_path(Path<D>& path, Support<D>& guide) const;
   bool admissible(const Support<D>& support) const;
@@ -69,6 +80,8 @@ private:
   std::vector<Constraint<D>> near_;     // everything p can touch while it stays within gathered_reach_ of gathered_at_
   std::vector<Constraint<D>> touching_; // contacts at p
   std::vector<Vec<D>> normals_;         // of touching_
+  double lowest_ = 0;                   // height that p has certainly come down to
+  int idle_ = 0;                        // events since
   std::uint64_t events_ = 0;
 };
 

@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace tamp {
 
@@ -17,7 +16,8 @@ namespace tamp {
 /// ratio of a box edge to a radius.
 inline constexpr double kDirection = 1e-11;
 
-/// Normals whose determinant is below this are taken as dependent; smaller sets of them then decide.
+/// Normals whose determinant, or two whose cross product, is below this are taken as dependent; smaller sets of them
+/// then decide.
 inline constexpr double kIndependent = 1e-9;
 
 /// Up to D contacts pressed on by gravity. The free velocity is v = −e_z + Σ λ_i n_i with v·n_i = 0 for the chosen
@@ -31,48 +31,40 @@ struct Support {
   Vec<D> velocity = Vec<D>::Zero();
 };
 
-/// Solves for the multipliers of the members, λ_i = push_i / det by Cramer's rule; false where the normals are
-/// dependent or one of them would have to pull. The sign is judged on push_i, whose rounding does not grow as the
-/// normals become dependent.
+/// Whether no member would have to pull, and with it the velocity that they leave; false where the normals are
+/// dependent. The sign of a multiplier is judged on `push`, a positive multiple of it whose rounding does not grow as
+/// the normals become dependent.
 template <int D, class Normals>
 bool presses(const Normals& normals, Support<D>& support) {
   const auto n = [&](int i) -> const Vec<D>& { return normals[support.member[static_cast<std::size_t>(i)]]; };
   std::array<double, D> push{};
-  double det = 1;
+  double independence = 1;
+  support.velocity.setZero();
   if (support.count == 1) {
     push[0] = n(0)[vertical<D>];
-  } else if (support.count == 2) {
-    // Gram system [1 g; g 1] λ = (n_1z, n_2z)
-    const double g = n(0).dot(n(1));
-    det = (1 - g) * (1 + g);
-    push[0] = n(0)[vertical<D>] - g * n(1)[vertical<D>];
-    push[1] = n(1)[vertical<D>] - g * n(0)[vertical<D>];
-  } else if constexpr (D == 3) {
-    if (support.count == 3) {
-      // Σ λ_i n_i = e_z
-      const Vec<D> n01 = n(0).cross(n(1));
-      det = n01.dot(n(2));
+    support.velocity = push[0] * n(0) - Vec<D>::Unit(vertical<D>);
+  } else if constexpr (D == 2) {
+    // Σ λ_i n_i = e_z by Cramer's rule
+    const double det = n(0)[0] * n(1)[1] - n(0)[1] * n(1)[0];
+    const double sign = det < 0 ? -1 : 1;
+    independence = std::abs(det);
+    push = {-sign * n(1)[0], sign * n(0)[0]};
+  } else {
+    const Vec<D> n01 = n(0).cross(n(1));
+    if (support.count == 2) {
+      // λ_i ∝ n_iz − (n_0·n_1) n_jz, as triple products, which do not cancel where the normals nearly agree
+      independence = n01.norm();
+      push = {n(1).cross(n01)[2], n01.cross(n(0))[2], 0};
+      support.velocity = n01 * (-n01[2] / (independence * independence));
+    } else {
+      const double det = n01.dot(n(2));
       const double sign = det < 0 ? -1 : 1;
-      det = std::abs(det);
-      push[0] = sign * n(1).cross(n(2))[2];
-      push[1] = sign * n(2).cross(n(0))[2];
-      push[2] = sign * n01[2];
+      independence = std::abs(det);
+      push = {sign * n(1).cross(n(2))[2], sign * n(2).cross(n(0))[2], sign * n01[2]};
     }
   }
-  if (det < kIndependent)
-    return false;
-  support.velocity = -Vec<D>::Unit(vertical<D>);
-  support.margin = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < support.count; ++i) {
-    const double p = push[static_cast<std::size_t>(i)];
-    if (p < -kDirection)
-      return false;
-    support.margin = std::min(support.margin, p);
-    support.velocity += (p / det) * n(i);
-  }
-  if (support.count == D)
-    support.velocity.setZero();
-  return true;
+  support.margin = *std::min_element(push.begin(), push.begin() + support.count);
+  return independence >= kIndependent && support.margin >= -kDirection;
 }
 
 /// Whether every member presses by more than rounding; a support that is not firm only just holds.
