@@ -2,6 +2,7 @@
 #include "report/csv.h"
 
 #include "engine/base/canonical_json.h"
+#include "report/symbols.h"
 
 #include <array>
 #include <cmath>
@@ -17,6 +18,13 @@ std::string csv_field(std::string_view text) {
   for (const char c : text)
     out += c == '"' ? std::string("\"\"") : std::string(1, c);
   return out + '"';
+}
+
+/// A heading with the plain names of its symbols.
+std::string plain(std::string_view text) {
+  return render_text(
+      text, [](std::string_view words) { return std::string(words); },
+      [](const Symbol& symbol) { return std::string(symbol.name); });
 }
 
 } // namespace
@@ -41,13 +49,14 @@ std::string csv_table(const Table& table) {
           const Cell& cell = line.cells[i];
           if (cell.empty())
             continue;
+          const bool word = !cell.word.empty();
+          const std::string& quantity = cell.quantity.empty() ? panel.columns[i].quantity : cell.quantity;
           const std::array<std::string, 8> fields = {table.name,
-                                                     group.heading,
+                                                     plain(group.heading),
                                                      line.name.empty() ? "this run" : line.name,
-                                                     cell.quantity.empty() ? panel.columns[i].quantity
-                                                                           : std::string(cell.quantity),
-                                                     std::string(cell.unit),
-                                                     csv_number(cell.value),
+                                                     word ? "outcome" : quantity,
+                                                     word ? std::string() : std::string(cell.unit),
+                                                     word ? cell.word : csv_number(cell.value),
                                                      csv_number(cell.spread),
                                                      cell.n == 0 ? std::string() : std::to_string(cell.n)};
           out += csv_record(fields);

@@ -16,7 +16,8 @@ std::string csv_record(std::span<const std::string> fields);
 std::string csv_number(double value);
 
 /// Header "table,method,source,quantity,unit,value,sd,n", then each cell that is not empty. `source` is the name of the
-/// line ("this run", "paper", "difference"); n is empty where the value is not a statistic.
+/// line ("this run", "paper", "difference"); a word instead of a number has the quantity "outcome"; n is empty where
+/// the value is not a statistic.
 std::string csv_table(const Table& table);
 
 } // namespace tamp

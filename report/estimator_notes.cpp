@@ -1,45 +1,13 @@
-// Notes on lines, columns, scenes and times.
-#include "engine/model/parameter.h"
+// Notes on the lines and columns of lognormal tables.
+#include "engine/base/canonical_json.h"
 #include "report/lognormal_table.h"
 #include "report/notes.h"
-#include "report/quantities.h"
 
 #include <fmt/format.h>
-
-#include <set>
-#include <variant>
 
 namespace tamp {
 
 namespace {
-
-std::string in_words(const JsonLeaf& leaf) {
-  if (const auto* flag = std::get_if<bool>(&leaf))
-    return *flag ? "true" : "false";
-  if (const auto* integer = std::get_if<std::int64_t>(&leaf))
-    return std::to_string(*integer);
-  if (const auto* number = std::get_if<double>(&leaf))
-    return canonical_number(*number);
-  if (const auto* text = std::get_if<std::string>(&leaf))
-    return *text;
-  std::string list;
-  for (const double number : std::get<std::vector<double>>(leaf))
-    list += (list.empty() ? "" : " × ") + canonical_number(number);
-  return list;
-}
-
-/// The stated parameters of a root that apply, as "path value, …".
-template <class Root>
-std::string parameters_in_words(std::span<const Parameter<Root>> table, const Root& root) {
-  std::string words;
-  for (const auto& row : table) {
-    if (!row.applies(root))
-      continue;
-    if (const JsonLeaf leaf = row.get(root); !is_unstated(leaf))
-      words += fmt::format("{}{} {}", words.empty() ? "" : ", ", row.path, in_words(leaf));
-  }
-  return words;
-}
 
 const Metric* find_metric(const Plan& plan, MetricName name) {
   for (const Metric& metric : plan.metrics) {
@@ -61,20 +29,20 @@ Note lines_note(const NotesInput& input) {
   for (const RunGroup& group : input.groups) {
     if (group.ok_count() == 0)
       continue;
-    const Likeness like = likeness(group.job().scene, input.paper);
-    if (!input.paper.find(group.label))
+    const Likeness like = likeness(group.job().scene, *input.lognormal);
+    if (!input.lognormal->find(group.label))
       text += fmt::format(" {}: the paper has no such method.", group.heading);
     else if (like == Likeness::other_powder)
       text += fmt::format(" {}: not the paper's powder, so not compared.", group.heading);
     else if (like == Likeness::other_size)
       text += fmt::format(" {}: the paper's powder in another box than its {} µm, so only ⟨phi_paper⟩ is compared.",
-                          group.heading, canonical_number(input.paper.edge_um));
+                          group.heading, canonical_number(input.lognormal->edge_um));
   }
   return {"Lines", text};
 }
 
 Note columns_note(const NotesInput& input) {
-  const bool two = input.paper.dimension == 2;
+  const bool two = input.lognormal->dimension == 2;
   std::string text = fmt::format("⟨X⟩: edge of the box. ⟨N_part⟩: particles in it. ⟨H_N⟩, ⟨{}⟩: Hellinger distance of "
                                  "the radii's histogram to the prescribed law, weighted by number and by {}",
                                  two ? "H_S" : "H_V", two ? "surface (r²)" : "volume (r³)");
@@ -103,73 +71,12 @@ Note columns_note(const NotesInput& input) {
   return {"Columns", text};
 }
 
-Note time_note(const NotesInput& input) {
-  std::string text = "Wall-clock time of the generator alone, without starting the process, writing or measuring.";
-  for (const RunGroup& group : input.groups) {
-    const GroupTime time = group_time(group);
-    if (time.seconds.n == 0)
-      continue;
-    std::set<std::string> processors;
-    for (const Run& run : group.runs) {
-      if (run.ok() && run.generation->timing.mode == time.mode)
-        processors.insert(run.generation->provenance.cpu_model);
-    }
-    text += fmt::format(" {}: timing mode {} ({})", group.heading, name_of(time.mode),
-                        time.mode == TimingMode::exclusive ? "alone on the machine, on one pinned thread"
-                                                           : "other jobs ran beside it");
-    if (time.seconds.n < group.ok_count())
-      text +=
-          fmt::format(", {} of the {} replicates, as the others ran in shared mode", time.seconds.n, group.ok_count());
-    text += fmt::format(", on {}.", fmt::join(processors, " and "));
-  }
-  text += fmt::format(" The paper: one job after the other on one core of an {}; the factor is between different "
-                      "machines.",
-                      kPaperMachine);
-  return {"Time", text};
-}
-
-std::string effects_in_words(const RunGroup& group) {
-  for (const Run& run : group.runs) {
-    if (!run.ok())
-      continue;
-    std::string text;
-    const Effects& effects = run.generation->effects;
-    if (!effects.simulated.empty())
-      text += fmt::format("; simulated: {}", fmt::join(effects.simulated, ", "));
-    for (std::size_t i = 0; i < effects.left_out.size(); ++i)
-      text +=
-          fmt::format("{}{} ({})", i == 0 ? "; left out: " : ", ", effects.left_out[i].effect, effects.left_out[i].why);
-    return text;
-  }
-  return {};
-}
-
-Note runs_note(const NotesInput& input) {
-  std::string text;
-  for (const RunGroup& group : input.groups) {
-    const Job& job = group.job();
-    text += fmt::format("{}{}: {} (revision {}); scene: {}{}.", text.empty() ? "" : " ", group.heading,
-                        parameters_in_words(method_parameters(), job.method), info(job.method.name).revision,
-                        parameters_in_words(scene_parameters(), job.scene), effects_in_words(group));
-  }
-  return {"What was run", text};
-}
-
 } // namespace
 
 std::vector<Note> estimator_notes(const NotesInput& input) {
-  if (input.groups.empty())
+  if (input.groups.empty() || !input.lognormal)
     return {};
-  return {lines_note(input), columns_note(input), time_note(input), runs_note(input)};
-}
-
-std::vector<Note> all_notes(const NotesInput& input) {
-  std::vector<Note> notes;
-  for (const auto part : {estimator_notes, protocol_notes, outcome_notes, provenance_notes}) {
-    std::vector<Note> more = part(input);
-    notes.insert(notes.end(), more.begin(), more.end());
-  }
-  return notes;
+  return {lines_note(input), columns_note(input)};
 }
 
 } // namespace tamp

@@ -81,12 +81,16 @@ std::string digits(std::string_view number) {
 std::string latex_cell(const Cell& cell) {
   if (cell.empty())
     return "--";
+  if (!cell.word.empty())
+    return latex(cell.word);
   const CellText text = show(cell);
   std::string math = digits(text.value);
   if (text.exponent)
     math += fmt::format(" \\cdot 10^{{{}}}", *text.exponent);
   if (!text.spread.empty())
     math += " \\pm " + digits(text.spread);
+  if (cell.doubtful)
+    math = "(" + math + ")";
   if (text.unit == "x")
     return fmt::format("${}\\times$", math);
   std::string out = "$" + math + "$";
@@ -106,9 +110,12 @@ std::string latex_heading(const Column& column) {
   return out;
 }
 
+/// A grid wider than the text shrinks to its width.
+constexpr std::string_view kShrink = "\\resizebox{\\ifdim\\width>\\linewidth\\linewidth\\else\\width\\fi}{!}{%\n";
+
 std::string latex_panel(const Panel& panel) {
   const bool flat = panel.one_line_groups();
-  std::string out = fmt::format("{}\\\\[2pt]\n\\begin{{tabular}}{{l{}}}\n\\toprule\n{}", latex(panel.title),
+  std::string out = fmt::format("{}\\\\[2pt]\n{}\\begin{{tabular}}{{l{}}}\n\\toprule\n{}", latex(panel.title), kShrink,
                                 std::string(panel.columns.size(), 'r'), flat ? "Method" : "");
   for (const Column& column : panel.columns)
     out += " & " + latex_heading(column);
@@ -127,7 +134,23 @@ std::string latex_panel(const Panel& panel) {
       out += " \\\\\n";
     }
   }
-  return out + "\\bottomrule\n\\end{tabular}\\par\\medskip\n";
+  return out + "\\bottomrule\n\\end{tabular}}\\par\\medskip\n";
+}
+
+/// Rows that fit on a page of A4, and rows that leave room for notes below them.
+constexpr std::size_t kRowsOfPage = 54;
+constexpr std::size_t kRowsAboveNotes = 30;
+
+/// Rows of a panel with its title and heading.
+std::size_t rows_of(const Panel& panel) {
+  std::size_t rows = 3;
+  for (const Group& group : panel.groups)
+    rows += group.lines.size() + (panel.one_line_groups() ? 0 : 1);
+  return rows;
+}
+
+std::string open_float() {
+  return "\\begin{table}[!htbp]\n\\centering\\footnotesize\n\\setlength{\\tabcolsep}{4pt}\n";
 }
 
 } // namespace
@@ -155,12 +178,22 @@ std::string latex_text(std::string_view text) {
 }
 
 std::string latex_fragment(const Table& table) {
-  std::string out =
-      "% A table of tamp; needs \\usepackage{booktabs}.\n\\begin{table}[!htbp]\n\\centering\\footnotesize\n"
-      "\\setlength{\\tabcolsep}{4pt}\n";
+  std::string out = "% A table of tamp; needs \\usepackage{booktabs,graphicx}.\n" + open_float();
   out += fmt::format("\\caption{{{}}}\n\\label{{tab:{}}}\n\\medskip\n", latex(table.caption), table.name);
-  for (const Panel& panel : table.panels)
+  std::size_t rows = 0;
+  const auto next_page = [&] {
+    out += fmt::format("\\end{{table}}\n{}\\addtocounter{{table}}{{-1}}\n\\caption{{(continued)}}\n\\medskip\n",
+                       open_float());
+    rows = 0;
+  };
+  for (const Panel& panel : table.panels) {
+    if (rows > 0 && rows + rows_of(panel) > kRowsOfPage)
+      next_page();
+    rows += rows_of(panel);
     out += latex_panel(panel);
+  }
+  if (rows > kRowsAboveNotes)
+    next_page();
   out += "\\begin{minipage}{\\linewidth}\\scriptsize\\raggedright\n";
   for (const Note& note : table.notes)
     out += fmt::format("\\textbf{{{}.}} {}\\par\\smallskip\n", latex(note.heading), latex(note.text));
@@ -169,7 +202,7 @@ std::string latex_fragment(const Table& table) {
 
 std::string latex_document(std::string_view title, std::span<const Table> tables) {
   std::string out = "\\documentclass[a4paper,10pt]{article}\n\\usepackage[utf8]{inputenc}\n\\usepackage[T1]{fontenc}\n"
-                    "\\usepackage{booktabs}\n\\usepackage[margin=15mm]{geometry}\n\\begin{document}\n";
+                    "\\usepackage{booktabs,graphicx}\n\\usepackage[margin=15mm]{geometry}\n\\begin{document}\n";
   out += fmt::format("\\section*{{{}}}\n", latex(title));
   for (const Table& table : tables)
     out += fmt::format("\\input{{{}.tex}}\n\\clearpage\n", table.name);

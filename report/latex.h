@@ -13,7 +13,8 @@ namespace tamp {
 /// stay; any other character outside ASCII, which pdflatex could not set, becomes a question mark.
 std::string latex_text(std::string_view text);
 
-/// A floating table with caption and notes; its label is tab:NAME. Needs the package booktabs.
+/// A floating table with caption and notes; its label is tab:NAME. Panels that do not fit on one page go on in another
+/// float of the same number; a panel wider than the text shrinks. Needs the packages booktabs and graphicx.
 std::string latex_fragment(const Table& table);
 
 /// A document for A4 that inputs the fragment NAME.tex of each table.

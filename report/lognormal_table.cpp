@@ -1,6 +1,7 @@
 // Makes the rows of the lognormal tables.
 #include "report/lognormal_table.h"
 
+#include "report/cells.h"
 #include "report/quantities.h"
 
 #include <fmt/format.h>
@@ -13,15 +14,6 @@
 namespace tamp {
 
 namespace {
-
-double micrometres(LengthUnit unit) {
-  constexpr std::array<double, 4> factors = {1e-3, 1, 1e3, 1e6}; // nm, um, mm, m
-  return factors[static_cast<std::size_t>(unit)];
-}
-
-bool agrees(double a, double b, double relative) {
-  return std::abs(a - b) <= relative * std::max(std::abs(a), std::abs(b));
-}
 
 /// Edges are stated, not measured: what differs by more than the rounding of a change of units is another box.
 constexpr double kSameEdge = 1e-12;
@@ -50,36 +42,6 @@ Columns columns_of(int dimension) {
            Quantity{"stable_alone", CellStyle::share, 0, Statistic::smallest}, Quantity{"z", CellStyle::fixed, 3}}};
 }
 
-Cell count_cell(double value) {
-  Cell cell;
-  cell.value = value;
-  cell.decimals = 0;
-  return cell;
-}
-
-Cell printed_cell(const Printed& printed) {
-  Cell cell;
-  cell.value = printed.value;
-  cell.decimals = printed.decimals;
-  return cell;
-}
-
-Cell time_cell(double seconds) {
-  Cell cell;
-  cell.value = seconds;
-  cell.style = CellStyle::duration;
-  cell.unit = "s";
-  return cell;
-}
-
-Cell edge_cell(double edge_um) {
-  Cell cell;
-  cell.value = edge_um;
-  cell.unit = "um";
-  cell.decimals = edge_um == std::round(edge_um) ? std::optional<int>(0) : std::nullopt;
-  return cell;
-}
-
 /// In the order of Columns::compared.
 std::array<Cell, 5> paper_cells(const PaperRow& row) {
   return {count_cell(static_cast<double>(row.particles)), printed_cell(row.hellinger_number),
@@ -87,35 +49,9 @@ std::array<Cell, 5> paper_cells(const PaperRow& row) {
           count_cell(static_cast<double>(row.particles_in_sub_box))};
 }
 
-/// This run's value minus the paper's, with no more digits than either has.
-Cell difference_cell(const Cell& run, const Cell& paper, bool count) {
-  Cell cell;
-  if (run.empty())
-    return cell;
-  cell.value = run.value - paper.value;
-  cell.decimals = std::min(shown_decimals(run), shown_decimals(paper));
-  cell.sign = true;
-  if (count)
-    cell.relative = cell.value / paper.value;
-  return cell;
-}
-
-Cell speed_cell(const Cell& run, const Cell& paper) {
-  Cell cell;
-  if (run.empty() || run.value <= 0)
-    return cell;
-  cell.value = paper.value / run.value;
-  cell.style = CellStyle::ratio;
-  cell.quantity = "time of the paper / time of this run";
-  return cell;
-}
-
 Group compared_group(const RunGroup& runs, const PaperTable& paper, const Columns& columns) {
   const Scene& scene = runs.job().scene;
-  const GroupTime time = group_time(runs);
-  Cell run_time = time_cell(time.seconds.mean);
-  run_time.spread = time.seconds.sd;
-  run_time.n = time.seconds.n;
+  const Cell run_time = time_cell(group_time(runs));
 
   Group::Line run{"this run", {}};
   run.cells.push_back(has_equal_edges(scene) ? edge_cell(scene.size.front() * micrometres(scene.unit)) : Cell{});
@@ -153,10 +89,6 @@ Group own_group(const RunGroup& runs, const Columns& columns) {
   for (const Quantity& quantity : columns.own)
     line.cells.push_back(quantity_cell(runs, quantity));
   return {runs.heading, {}, {line}};
-}
-
-Column heading(const Quantity& quantity) {
-  return {quantity.symbol == "bins" ? "K" : std::string(quantity.symbol), "1", ""};
 }
 
 } // namespace

@@ -29,12 +29,16 @@ std::string digits(std::string_view number) {
 std::string markdown_cell(const Cell& cell) {
   if (cell.empty())
     return "–";
+  if (!cell.word.empty())
+    return markdown(cell.word);
   const CellText text = show(cell);
   std::string out = digits(text.value);
   if (text.exponent)
     out += "·10" + superscript(*text.exponent);
   if (!text.spread.empty())
     out += " ± " + digits(text.spread);
+  if (cell.doubtful)
+    out = "(" + out + ")";
   if (text.unit == "x")
     out += "×";
   else if (!text.unit.empty())

@@ -1,4 +1,4 @@
-// What stands below a lognormal table: how to read it, how its figures are defined, what is missing, where they come
+// What stands below a table: how to read it, how its figures are defined, what is missing, where they come
 // from.
 #pragma once
 
@@ -16,14 +16,20 @@ namespace tamp {
 struct NotesInput {
   const Plan& plan;
   std::span<const RunGroup> groups;
-  const PaperTable& paper;
   std::string command;
+  std::string table;                     ///< its name
+  std::string content;                   ///< what of a campaign belongs into it: "lognormal powder in 2D"
+  const PaperTable* lognormal = nullptr; ///< what a lognormal table is compared with
 };
 
-/// Meaning of lines and columns, with the parameters of the campaign's metrics; what was run; how times were taken.
+/// Of lognormal tables: meaning of lines and columns, with the parameters of the campaign's metrics.
 std::vector<Note> estimator_notes(const NotesInput& input);
 
-/// Reasons known beforehand for which our figures and the paper's differ; only those that concern the runs at hand.
+/// How times were taken; what was run.
+std::vector<Note> run_notes(const NotesInput& input);
+
+/// Of lognormal tables: reasons known beforehand for which our figures and the paper's differ; only those that concern
+/// the runs at hand.
 std::vector<Note> protocol_notes(const NotesInput& input);
 
 /// Jobs that did not end ok, with their reasons; jobs without a record, with the command that runs them.
@@ -33,8 +39,12 @@ std::vector<Note> outcome_notes(const NotesInput& input);
 /// store gives the same text at any time and on any machine.
 std::vector<Note> provenance_notes(const NotesInput& input);
 
-/// All of them, in this order.
-std::vector<Note> all_notes(const NotesInput& input);
+/// All of them, in this order, the first and the third for lognormal tables only; `own` is what a table says itself,
+/// and stands first.
+std::vector<Note> all_notes(const NotesInput& input, std::vector<Note> own = {});
+
+/// The sentence on the paper's times, for tables that have them.
+std::string paper_time_sentence();
 
 /// The first twelve digits of a key or commit: enough to find it.
 std::string short_key(const std::string& key);

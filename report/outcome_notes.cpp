@@ -73,7 +73,7 @@ std::vector<Note> outcome_notes(const NotesInput& input) {
 
   std::vector<Note> notes;
   if (input.groups.empty())
-    notes.push_back({"No jobs", fmt::format("The campaign has no lognormal powder in {}D.", input.paper.dimension)});
+    notes.push_back({"No jobs", fmt::format("The campaign has no {}.", input.content)});
   for (const auto& [outcome, list] : ended) {
     notes.push_back({fmt::format("{} ended {}", counted(list.count(), "job"), name_of(outcome)),
                      "Not in the figures above. " + list.text() + "."});

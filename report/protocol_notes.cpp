@@ -11,7 +11,7 @@ namespace {
 
 bool any_ok(const NotesInput& input, bool (*holds)(const Job& job, const PaperTable& paper)) {
   return std::any_of(input.groups.begin(), input.groups.end(), [&](const RunGroup& group) {
-    return group.ok_count() > 0 && input.paper.find(group.label) && holds(group.job(), input.paper);
+    return group.ok_count() > 0 && input.lognormal->find(group.label) && holds(group.job(), *input.lognormal);
   });
 }
 
@@ -67,6 +67,8 @@ constexpr std::array kReasons = {
 
 std::vector<Note> protocol_notes(const NotesInput& input) {
   std::vector<Note> notes;
+  if (!input.lognormal)
+    return notes;
   for (const Reason& reason : kReasons) {
     if (any_ok(input, reason.holds))
       notes.push_back({reason.heading, reason.text});

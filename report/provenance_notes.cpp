@@ -56,8 +56,14 @@ std::string to_the_second(const std::string& utc) {
   return point == std::string::npos ? utc : utc.substr(0, point) + "Z";
 }
 
+/// With more groups the list of keys is longer than the table; the file of records has them all.
+constexpr std::size_t kGroupsWithKeys = 6;
+
 std::string keys_note(const NotesInput& input) {
-  std::string text = fmt::format("Campaign {} from {}. Keys of the packings:", input.plan.campaign, input.plan.file);
+  std::string text = fmt::format("Campaign {} from {}.", input.plan.campaign, input.plan.file);
+  if (input.groups.size() > kGroupsWithKeys)
+    return text + fmt::format(" All records with their keys: {}_records.csv.", input.table);
+  text += " Keys of the packings:";
   for (const RunGroup& group : input.groups) {
     std::string keys;
     for (const Run& run : group.runs) {
@@ -67,7 +73,7 @@ std::string keys_note(const NotesInput& input) {
     if (!keys.empty())
       text += fmt::format(" {}:{}.", group.heading, keys);
   }
-  return text + fmt::format(" All records with full keys: {}_records.csv.", input.paper.name);
+  return text + fmt::format(" All records with full keys: {}_records.csv.", input.table);
 }
 
 } // namespace

@@ -30,7 +30,8 @@ MadeTable make_lognormal(const ReportInput& input, std::string_view name) {
   const PaperTable& paper = paper_table(name);
   const std::vector<RunGroup> groups = lognormal_groups(input.runs, paper);
   Table table = lognormal_table(groups, paper);
-  table.notes = all_notes({input.plan, groups, paper, input.command});
+  table.notes = all_notes(
+      {input.plan, groups, input.command, table.name, fmt::format("lognormal powder in {}D", paper.dimension), &paper});
   return {std::move(table), records_csv(groups)};
 }
 

@@ -27,7 +27,7 @@ std::string with_sign(const Cell& cell, std::string digits) {
 } // namespace
 
 bool Cell::empty() const {
-  return !std::isfinite(value);
+  return !std::isfinite(value) && word.empty();
 }
 
 bool Panel::one_line_groups() const {

@@ -14,8 +14,8 @@ namespace tamp {
 /// ratio: with two significant digits and ×; scientific: two significant digits and a power of ten.
 enum class CellStyle { fixed, scientific, share, duration, ratio };
 
-/// One cell; empty() if there is nothing to show. Numbers are kept exact here, in `unit`; digits are a matter of
-/// show().
+/// One cell; empty() if it has neither a number nor a word. Numbers are kept exact here, in `unit`; digits are a matter
+/// of show().
 struct Cell {
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
@@ -27,7 +27,9 @@ struct Cell {
   std::optional<int> decimals; ///< after the point, in the unit shown, without a spread; else 3 significant digits
   bool sign = false;           ///< show + too
   double relative = kNone;     ///< shown behind the value in per cent
-  std::string_view quantity;   ///< in CSV files, where it is not that of the column
+  bool doubtful = false;       ///< shown in parentheses, as the paper does with what it calls anomalous
+  std::string quantity;        ///< in CSV files, where it is not that of the column
+  std::string word;            ///< shown instead of a number: how a job ended
 
   [[nodiscard]] bool empty() const;
 };

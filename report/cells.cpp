@@ -1,0 +1,102 @@
+// Makes cells.
+#include "report/cells.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace tamp {
+
+double micrometres(LengthUnit unit) {
+  constexpr std::array<double, 4> factors = {1e-3, 1, 1e3, 1e6}; // nm, um, mm, m
+  return factors[static_cast<std::size_t>(unit)];
+}
+
+bool agrees(double a, double b, double relative) {
+  return std::abs(a - b) <= relative * std::max(std::abs(a), std::abs(b));
+}
+
+Cell count_cell(double value) {
+  Cell cell;
+  cell.value = value;
+  cell.decimals = 0;
+  return cell;
+}
+
+Cell printed_cell(const Printed& printed) {
+  Cell cell;
+  cell.value = printed.value;
+  cell.decimals = printed.decimals;
+  return cell;
+}
+
+Cell edge_cell(double edge_um) {
+  Cell cell;
+  cell.value = edge_um;
+  cell.unit = "um";
+  cell.decimals = edge_um == std::round(edge_um) ? std::optional<int>(0) : std::nullopt;
+  return cell;
+}
+
+Cell time_cell(double seconds) {
+  Cell cell;
+  cell.value = seconds;
+  cell.style = CellStyle::duration;
+  cell.unit = "s";
+  return cell;
+}
+
+Cell time_cell(const GroupTime& time) {
+  Cell cell = time_cell(time.seconds.mean);
+  cell.spread = time.seconds.sd;
+  cell.n = time.seconds.n;
+  return cell;
+}
+
+Cell word_cell(std::string word) {
+  Cell cell;
+  cell.word = std::move(word);
+  return cell;
+}
+
+Cell difference_cell(const Cell& run, const Cell& paper, bool count) {
+  Cell cell;
+  if (!std::isfinite(run.value) || !std::isfinite(paper.value))
+    return cell;
+  cell.value = run.value - paper.value;
+  cell.decimals = std::min(shown_decimals(run), shown_decimals(paper));
+  cell.sign = true;
+  if (count)
+    cell.relative = cell.value / paper.value;
+  return cell;
+}
+
+Cell speed_cell(const Cell& run, const Cell& paper) {
+  Cell cell;
+  if (!std::isfinite(run.value) || run.value <= 0 || !std::isfinite(paper.value))
+    return cell;
+  cell.value = paper.value / run.value;
+  cell.style = CellStyle::ratio;
+  cell.quantity = "time of the paper / time of this run";
+  return cell;
+}
+
+Column heading(const Quantity& quantity) {
+  return {quantity.symbol == "bins" ? "K" : std::string(quantity.symbol), "1", ""};
+}
+
+std::string other_outcomes(const RunGroup& group) {
+  std::set<Outcome> seen;
+  for (const Run& run : group.runs) {
+    if (run.generation && !run.ok())
+      seen.insert(run.generation->outcome);
+  }
+  std::string words;
+  for (const Outcome outcome : seen)
+    words += (words.empty() ? "" : ", ") + std::string(name_of(outcome));
+  return words;
+}
+
+} // namespace tamp

@@ -1,0 +1,171 @@
+// Notes on times and on what was run; and all notes together.
+#include "engine/model/parameter.h"
+#include "report/notes.h"
+#include "report/quantities.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <variant>
+
+namespace tamp {
+
+namespace {
+
+std::string in_words(const JsonLeaf& leaf) {
+  if (const auto* flag = std::get_if<bool>(&leaf))
+    return *flag ? "true" : "false";
+  if (const auto* integer = std::get_if<std::int64_t>(&leaf))
+    return std::to_string(*integer);
+  if (const auto* number = std::get_if<double>(&leaf))
+    return canonical_number(*number);
+  if (const auto* text = std::get_if<std::string>(&leaf))
+    return *text;
+  std::string list;
+  for (const double number : std::get<std::vector<double>>(leaf))
+    list += (list.empty() ? "" : " × ") + canonical_number(number);
+  return list;
+}
+
+/// Up to this many groups of one method, a parameter that varies is listed for each; above, its different values.
+constexpr std::size_t kListedGroups = 12;
+
+/// What a parameter is in each of the groups, "" where it does not apply: once if it is the same in all.
+std::string values_in_words(const std::vector<std::string>& values) {
+  const std::set<std::string> different(values.begin(), values.end());
+  if (different.size() == 1)
+    return values.front();
+  if (values.size() <= kListedGroups)
+    return fmt::format("{}", fmt::join(values, " | "));
+  std::vector<std::string> in_order;
+  for (const std::string& value : values) {
+    if (!value.empty() && std::find(in_order.begin(), in_order.end(), value) == in_order.end())
+      in_order.push_back(value);
+  }
+  return fmt::format("{}", fmt::join(in_order, " | "));
+}
+
+/// The stated parameters that apply to any of the roots, as "path value, …".
+template <class Root>
+std::string parameters_in_words(std::span<const Parameter<Root>> table, const std::vector<const Root*>& roots) {
+  std::string words;
+  for (const auto& row : table) {
+    std::vector<std::string> values;
+    for (const Root* root : roots) {
+      const JsonLeaf leaf = row.applies(*root) ? row.get(*root) : JsonLeaf(std::vector<double>{});
+      values.push_back(is_unstated(leaf) ? "" : in_words(leaf));
+    }
+    if (const std::string text = values_in_words(values); !text.empty())
+      words += fmt::format("{}{} {}", words.empty() ? "" : ", ", row.path, text);
+  }
+  return words;
+}
+
+/// How the times of one group were taken.
+std::string timing_in_words(const RunGroup& group, const GroupTime& time) {
+  std::set<std::string> processors;
+  for (const Run& run : group.runs) {
+    if (run.ok() && run.generation->timing.mode == time.mode)
+      processors.insert(run.generation->provenance.cpu_model);
+  }
+  std::string text = fmt::format("timing mode {} ({})", name_of(time.mode),
+                                 time.mode == TimingMode::exclusive ? "alone on the machine, on one pinned thread"
+                                                                    : "other jobs ran beside it");
+  if (time.seconds.n < group.ok_count())
+    text +=
+        fmt::format(", {} of the {} replicates, as the others ran in shared mode", time.seconds.n, group.ok_count());
+  return text + fmt::format(", on {}", fmt::join(processors, " and "));
+}
+
+Note time_note(const NotesInput& input) {
+  std::string text = "Wall-clock time of the generator alone, without starting the process, writing or measuring.";
+  std::vector<std::pair<std::string, std::vector<std::string>>> ways; // each with the groups timed in that way
+  for (const RunGroup& group : input.groups) {
+    const GroupTime time = group_time(group);
+    if (time.seconds.n == 0)
+      continue;
+    const std::string way = timing_in_words(group, time);
+    auto place = std::find_if(ways.begin(), ways.end(), [&](const auto& known) { return known.first == way; });
+    if (place == ways.end())
+      place = ways.insert(ways.end(), {way, {}});
+    place->second.push_back(group.heading);
+  }
+  for (const auto& [way, headings] : ways)
+    text += fmt::format(" {}: {}.",
+                        ways.size() == 1 && headings.size() > 1 ? "All" : fmt::format("{}", fmt::join(headings, "; ")),
+                        way);
+  if (input.lognormal)
+    text += " " + paper_time_sentence();
+  return {"Time", text};
+}
+
+std::string effects_in_words(const RunGroup& group) {
+  for (const Run& run : group.runs) {
+    if (!run.ok())
+      continue;
+    std::string text;
+    const Effects& effects = run.generation->effects;
+    if (!effects.simulated.empty())
+      text += fmt::format("; simulated: {}", fmt::join(effects.simulated, ", "));
+    for (std::size_t i = 0; i < effects.left_out.size(); ++i)
+      text +=
+          fmt::format("{}{} ({})", i == 0 ? "; left out: " : ", ", effects.left_out[i].effect, effects.left_out[i].why);
+    return text;
+  }
+  return {};
+}
+
+Note runs_note(const NotesInput& input) {
+  std::vector<std::string> labels;
+  for (const RunGroup& group : input.groups) {
+    if (std::find(labels.begin(), labels.end(), group.label) == labels.end())
+      labels.push_back(group.label);
+  }
+  std::string text;
+  for (const std::string& label : labels) {
+    std::vector<const Method*> methods;
+    std::vector<const Scene*> scenes;
+    std::string effects;
+    for (const RunGroup& group : input.groups) {
+      if (group.label != label)
+        continue;
+      methods.push_back(&group.job().method);
+      scenes.push_back(&group.job().scene);
+      if (effects.empty())
+        effects = effects_in_words(group);
+    }
+    text += fmt::format("{}{}: {} (revision {}); scene: {}{}.", text.empty() ? "" : " ", label,
+                        parameters_in_words(method_parameters(), methods), info(methods.front()->name).revision,
+                        parameters_in_words(scene_parameters(), scenes), effects);
+  }
+  if (labels.size() < input.groups.size())
+    text += " Values with | between them are those of different groups, in their order.";
+  return {"What was run", text};
+}
+
+} // namespace
+
+std::string paper_time_sentence() {
+  return fmt::format("The paper: one job after the other on one core of an {}; the factor is between different "
+                     "machines.",
+                     kPaperMachine);
+}
+
+std::vector<Note> run_notes(const NotesInput& input) {
+  if (input.groups.empty())
+    return {};
+  return {time_note(input), runs_note(input)};
+}
+
+std::vector<Note> all_notes(const NotesInput& input, std::vector<Note> own) {
+  std::vector<Note> notes = std::move(own);
+  for (const auto part : {estimator_notes, run_notes, protocol_notes, outcome_notes, provenance_notes}) {
+    std::vector<Note> more = part(input);
+    notes.insert(notes.end(), more.begin(), more.end());
+  }
+  return notes;
+}
+
+} // namespace tamp
