@@ -4,7 +4,9 @@
 #include "engine/base/error.h"
 #include "engine/base/files.h"
 #include "engine/model/report_tables.h"
+#include "report/bimodal_tables.h"
 #include "report/csv.h"
+#include "report/domain_size_table.h"
 #include "report/latex.h"
 #include "report/lognormal_table.h"
 #include "report/markdown.h"
@@ -35,14 +37,38 @@ MadeTable make_lognormal(const ReportInput& input, std::string_view name) {
   return {std::move(table), records_csv(groups)};
 }
 
+/// Notes of every table that is made from groups.
+MadeTable finish(const ReportInput& input, Table table, std::span<const RunGroup> groups, const char* content) {
+  table.notes = all_notes({input.plan, groups, input.command, table.name, content}, std::move(table.notes));
+  return {std::move(table), records_csv(groups)};
+}
+
+MadeTable make_bimodal(const ReportInput& input, std::string_view) {
+  const std::vector<RunGroup> groups = bimodal_groups(input.runs);
+  return finish(input, bimodal_table(groups), groups, "bimodal powder in 3D");
+}
+
+MadeTable make_furnas(const ReportInput& input, std::string_view) {
+  const std::vector<RunGroup> groups = bimodal_groups(input.runs);
+  return finish(input, furnas_table(groups), groups, "bimodal powder in 3D");
+}
+
+MadeTable make_domain_size(const ReportInput& input, std::string_view) {
+  const std::vector<SizeFamily> families = size_families(input.runs);
+  std::vector<RunGroup> groups;
+  for (const SizeFamily& family : families)
+    groups.insert(groups.end(), family.groups.begin(), family.groups.end());
+  return finish(input, domain_size_table(families), groups, "powder");
+}
+
 struct Maker {
   std::string_view name;
   MadeTable (*make)(const ReportInput& input, std::string_view name);
 };
 
 constexpr std::array kMakers = {
-    Maker{"lognormal_2d", make_lognormal},
-    Maker{"lognormal_3d", make_lognormal},
+    Maker{"lognormal_2d", make_lognormal}, Maker{"lognormal_3d", make_lognormal},  Maker{"bimodal_3d", make_bimodal},
+    Maker{"furnas", make_furnas},          Maker{"domain_size", make_domain_size},
 };
 
 constexpr bool every_table_has_a_maker() {

@@ -18,6 +18,11 @@ inline constexpr std::array kReportTables = {
                     "lognormal powder in 2D: PSD fidelity, packing fraction and time beside the paper's"},
     ReportTableInfo{"lognormal_3d",
                     "lognormal powder in 3D: PSD fidelity, packing fraction and time beside the paper's"},
+    ReportTableInfo{"bimodal_3d", "binary mixtures in 3D over the size ratio: composition, density and time beside the "
+                                  "paper's"},
+    ReportTableInfo{"furnas", "packing fraction of binary mixtures over the share and the size of the large spheres"},
+    ReportTableInfo{"domain_size", "one powder in boxes of many sizes: convergence, representative volume, scaling of "
+                                   "the time"},
 };
 
 constexpr bool is_report_table(std::string_view name) {

@@ -95,6 +95,56 @@ TEST_CASE("lattices brings each lattice in its dimension, in boxes from 10 to 80
   CHECK(plan.metrics.size() == 4);
 }
 
+TEST_CASE("bimodal-3d holds boxes over the size ratio, at least ten large radii long from 10 on") {
+  const Plan plan = checked_in("bimodal-3d.json");
+  std::set<double> ratios;
+  for (const PlannedJob& planned : plan.jobs) {
+    const Psd& psd = planned.job.scene.psd;
+    ratios.insert(psd.size_ratio);
+    CHECK(psd.large_volume_fraction == 0.75);
+    CHECK(planned.job.scene.size.front() >= 10 * psd.size_ratio);
+  }
+  CHECK(ratios == std::set<double>{1, 2, 5, 10, 20, 40});
+  CHECK(plan.report.tables == std::vector<std::string>{"bimodal_3d"});
+}
+
+TEST_CASE("furnas covers the plane, and equal spheres once") {
+  const Plan plan = checked_in("furnas.json");
+  std::set<std::pair<double, double>> places;
+  for (const PlannedJob& planned : plan.jobs)
+    places.emplace(planned.job.scene.psd.size_ratio, planned.job.scene.psd.large_volume_fraction);
+  CHECK(places.size() == 1 + 3 * 11);
+  CHECK(plan.report.tables == std::vector<std::string>{"furnas"});
+}
+
+TEST_CASE("domain-size cuts the law where the box is smaller, and shares its 133 um packings with lognormal-3d") {
+  const Plan plan = checked_in("domain-size.json");
+  std::set<double> sizes;
+  std::set<std::string> keys;
+  for (const PlannedJob& planned : plan.jobs) {
+    const Scene& scene = planned.job.scene;
+    sizes.insert(scene.size.front());
+    keys.insert(planned.key);
+    CHECK(scene.psd.r_max == std::min(50.0, scene.size.front() / 2));
+  }
+  CHECK(sizes == std::set<double>{30, 80, 110, 133, 150, 210});
+  for (const PlannedJob& planned : checked_in("lognormal-3d.json").jobs) {
+    if (planned.label == "D&R")
+      CHECK(keys.count(planned.key) == 1);
+  }
+}
+
+TEST_CASE("scaling states its counts, from a thousand to three million") {
+  std::map<Law, std::set<std::int64_t>> counts;
+  for (const PlannedJob& planned : checked_in("scaling.json").jobs)
+    counts[planned.job.scene.psd.law].insert(planned.job.scene.count);
+  CHECK(counts.size() == 3);
+  for (const auto& [law, of_law] : counts) {
+    CHECK(*of_law.begin() >= 1000);
+    CHECK(*of_law.rbegin() == 3000000);
+  }
+}
+
 TEST_CASE("the worked example of the README works, and its mistake is told as the README says") {
   const std::string page = read_file(std::filesystem::path(TAMP_SOURCE_DIR) / "campaigns" / "README.md");
   const std::string fence = "```jsonc\n";

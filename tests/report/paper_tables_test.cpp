@@ -3,6 +3,7 @@
 #include "engine/base/files.h"
 #include "engine/model/report_tables.h"
 #include "report/number.h"
+#include "report/paper_bimodal.h"
 #include "report/paper_tables.h"
 
 #include <catch2/catch.hpp>
@@ -61,4 +62,31 @@ TEST_CASE("Tables are found by name, rows by label") {
   CHECK(paper_table("lognormal_2d").find("D&R-XY") == nullptr);
   for (const PaperTable& table : paper_tables())
     CHECK(is_report_table(table.name));
+}
+
+TEST_CASE("Each row of the paper's table of mixtures is the one printed") {
+  const nlohmann::json all = reference();
+  const nlohmann::json& printed = all.at("bimodal_3d");
+  CHECK(printed.at("X_L") == kPaperBimodalFraction);
+  std::size_t rows = 0;
+  for (const nlohmann::json& row : printed.at("rows")) {
+    CAPTURE(row.dump());
+    const std::vector<double> ratios =
+        row[1].is_array() ? row[1].get<std::vector<double>>() : std::vector<double>{row[1].get<double>()};
+    for (const double ratio : ratios) {
+      ++rows;
+      const PaperBimodalRow* ours = find_paper_bimodal(row[0].get<std::string>(), ratio);
+      REQUIRE(ours);
+      CHECK(ours->outcome == row[7].get<std::string>());
+      CHECK(ours->has_figures() == row[2].is_number());
+      if (!ours->has_figures())
+        continue;
+      CHECK(ours->particles == row[2]);
+      CHECK(ours->large_share.value == row[3]);
+      CHECK(ours->large == row[4]);
+      CHECK(ours->phi.value == row[5]);
+      CHECK(ours->time_s.value == row[6]);
+    }
+  }
+  CHECK(paper_bimodal_rows().size() == rows);
 }
