@@ -42,7 +42,7 @@ public:
   [[nodiscard]] const Law& law() const { return law_; }
   [[nodiscard]] const SearchBox<D>& box() const { return box_; }
   [[nodiscard]] const Vec<D>& gravity() const { return gravity_; }
-  [[nodiscard]] const NearList<D>& near() const { return near_; }
+  [[nodiscard]] const CandidateList<D>& near() const { return near_; }
   [[nodiscard]] std::uint64_t rebuilds() const { return rebuilds_; }
   [[nodiscard]] const Memories<D, Law>& memories() const { return memories_; }
 
@@ -309,7 +309,7 @@ private:
   SearchBox<D> box_;
   Vec<D> gravity_;
   double skin_;
-  NearList<D> near_;
+  CandidateList<D> near_;
   [[no_unique_address]] Memories<D, Law> memories_;
   std::vector<std::uint32_t> first_contact_; // of each sphere in contacts_of_
   std::vector<std::uint32_t> contacts_of_;   // pairs by number, then walls

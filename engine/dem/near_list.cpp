@@ -9,8 +9,8 @@
 namespace tamp {
 
 template <int D>
-void NearList<D>::build(const SearchBox<D>& box, std::span<const Vec<D>> centres, std::span<const double> radii,
-                        std::span<const double> hold, double skin) {
+void CandidateList<D>::build(const SearchBox<D>& box, std::span<const Vec<D>> centres, std::span<const double> radii,
+                             std::span<const double> hold, double skin) {
   const std::size_t n = radii.size();
   skin_ = skin;
   built_at_.assign(centres.begin(), centres.end());
@@ -59,7 +59,7 @@ void NearList<D>::build(const SearchBox<D>& box, std::span<const Vec<D>> centres
 }
 
 template <int D>
-bool NearList<D>::stale(std::span<const Vec<D>> centres) const {
+bool CandidateList<D>::stale(std::span<const Vec<D>> centres) const {
   const std::size_t n = centres.size();
   if (n != built_at_.size())
     return true;
@@ -86,7 +86,7 @@ bool NearList<D>::stale(std::span<const Vec<D>> centres) const {
   return furthest.from_common > skin_ * skin_ || (has_wall_ && furthest.from_start > 4 * skin_ * skin_);
 }
 
-template class NearList<2>;
-template class NearList<3>;
+template class CandidateList<2>;
+template class CandidateList<3>;
 
 } // namespace tamp

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace tamp {
@@ -17,7 +18,10 @@ struct NearPair {
   std::uint32_t j = 0;
   std::array<std::int8_t, D> image{};
 
-  friend auto operator<=>(const NearPair&, const NearPair&) = default;
+  friend bool operator==(const NearPair&, const NearPair&) = default;
+  friend bool operator<(const NearPair& a, const NearPair& b) {
+    return std::tie(a.i, a.j, a.image) < std::tie(b.i, b.j, b.image);
+  }
 };
 
 /// Sphere i and the wall across `axis` at 0 (side 0) or at the far end (side 1).
@@ -26,7 +30,10 @@ struct NearWall {
   std::uint8_t axis = 0;
   std::uint8_t side = 0;
 
-  friend auto operator<=>(const NearWall&, const NearWall&) = default;
+  friend bool operator==(const NearWall&, const NearWall&) = default;
+  friend bool operator<(const NearWall& a, const NearWall& b) {
+    return std::tie(a.i, a.axis, a.side) < std::tie(b.i, b.axis, b.side);
+  }
 };
 
 /// Every pair and wall whose gap is at most the sum of two margins, one of each sphere (a wall's is 0). A sphere's
@@ -34,7 +41,7 @@ struct NearWall {
 /// has moved further than the skin, apart from what all have moved alike, the list has every pair that can touch.
 /// Contacts of a sphere with its own image are left out: their forces cancel.
 template <int D>
-class NearList {
+class CandidateList {
 public:
   /// hold: one number a sphere. All lengths in one unit; skin > 0.
   void build(const SearchBox<D>& box, std::span<const Vec<D>> centres, std::span<const double> radii,
@@ -54,7 +61,7 @@ private:
   bool has_wall_ = false; // a wall does not move with the spheres
 };
 
-extern template class NearList<2>;
-extern template class NearList<3>;
+extern template class CandidateList<2>;
+extern template class CandidateList<3>;
 
 } // namespace tamp

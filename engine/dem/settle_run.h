@@ -99,7 +99,7 @@ public:
       field_.evaluate(state_, 0);
     Look last = look();
     auto saved = std::chrono::steady_clock::now();
-    Good good = remember();
+    remember();
     while (!done(last)) {
       for (int k = 0; k < kWatchSteps; ++k)
         mover_.step(state_, field_);
@@ -109,15 +109,15 @@ public:
         if (result_.halvings == kMostHalvings)
           return finish(last, false);
         ++result_.halvings;
-        good.mover.halve();
-        restore(good);
+        good_mover_.halve();
+        restore();
         continue;
       }
       last = now;
       elapsed_ += kWatchSteps * step_length();
       if (at_rest_now(last) && last.contacts.overlap > task_.overlap && stiffen(last))
         last = look();
-      good = remember();
+      remember();
       const auto clock = std::chrono::steady_clock::now();
       if (!task_.checkpoint.empty() &&
           std::chrono::duration<double>(clock - saved).count() >= task_.checkpoint_every_s) {
@@ -137,12 +137,6 @@ private:
     double total = 0;
     double balance = 0;
   };
-  struct Good {
-    State<D, Law> state;
-    ForceField<D, Law> field;
-    Mover mover;
-  };
-
   static double skin(const SettleTask<D>& task) {
     std::vector<double> radii = task.radii;
     const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
@@ -234,11 +228,15 @@ private:
     return true;
   }
 
-  Good remember() const { return {state_, field_, mover_}; }
-  void restore(const Good& good) {
-    state_ = good.state;
-    field_ = good.field;
-    mover_ = good.mover;
+  void remember() {
+    good_state_ = state_;
+    good_field_ = field_;
+    good_mover_ = mover_;
+  }
+  void restore() {
+    state_ = good_state_;
+    field_ = good_field_;
+    mover_ = good_mover_;
   }
 
   template <class F>
@@ -291,6 +289,9 @@ private:
   State<D, Law> state_;
   ForceField<D, Law> field_;
   Mover mover_{};
+  State<D, Law> good_state_ = state_; // of the last good look
+  ForceField<D, Law> good_field_ = field_;
+  Mover good_mover_{};
   Settled<D> result_;
   double elapsed_ = 0;
   std::int64_t still_looks_ = 0; // for how many looks there has been little motion, and the balance at the first

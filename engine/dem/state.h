@@ -34,7 +34,8 @@ struct State : Rotation<D, Law::turns> {
 
 /// Spheres at rest.
 template <int D, class Law>
-State<D, Law> at_rest(std::vector<Vec<D>> centres, std::vector<double> radii, std::vector<double> masses) {
+State<D, Law> at_rest(const std::vector<Vec<D>>& centres, const std::vector<double>& radii,
+                      const std::vector<double>& masses) {
   State<D, Law> state;
   const std::size_t n = radii.size();
   state.velocity.assign(n, Vec<D>::Zero());
@@ -43,9 +44,9 @@ State<D, Law> at_rest(std::vector<Vec<D>> centres, std::vector<double> radii, st
     state.spin.assign(n, zero_spin<D>());
     state.torque.assign(n, zero_spin<D>());
   }
-  state.centre = std::move(centres);
-  state.radius = std::move(radii);
-  state.mass = std::move(masses);
+  state.centre = centres;
+  state.radius = radii;
+  state.mass = masses;
   return state;
 }
 

@@ -2,6 +2,7 @@
 #include "engine/generate/generator.h"
 
 #include "engine/base/error.h"
+#include "engine/generate/dem_gravity.h"
 #include "engine/generate/drop_and_roll/drop_and_roll.h"
 #include "engine/generate/lattice.h"
 #include "engine/generate/moving_enlarging/moving_enlarging.h"
@@ -18,6 +19,7 @@ constexpr std::array kGenerators = {
     Generator{MethodName::drop_and_roll, &generate_drop_and_roll},
     Generator{MethodName::lattice, &generate_lattice},
     Generator{MethodName::drop_and_roll_me, &generate_moving_enlarging},
+    Generator{MethodName::dem_gravity, &generate_dem_gravity},
 };
 
 } // namespace

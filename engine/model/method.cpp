@@ -14,6 +14,8 @@ constexpr std::array kMethods = {
                "equal spheres on a lattice of known density, to judge the metrics"},
     MethodInfo{MethodName::drop_and_roll_me, 1, Start::packing,
                "move the spheres of a drop-and-roll packing into the middle of their neighbours and let them grow"},
+    MethodInfo{MethodName::dem_gravity, 1, Start::either,
+               "settle a loose cloud, or another packing, under gravity (discrete element method)"},
 };
 
 } // namespace

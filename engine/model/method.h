@@ -8,10 +8,10 @@
 
 namespace tamp {
 
-enum class MethodName { drop_and_roll, lattice, drop_and_roll_me };
+enum class MethodName { drop_and_roll, lattice, drop_and_roll_me, dem_gravity };
 template <>
 struct EnumNames<MethodName> {
-  static constexpr std::array<std::string_view, 3> value{"drop-and-roll", "lattice", "drop-and-roll-me"};
+  static constexpr std::array<std::string_view, 4> value{"drop-and-roll", "lattice", "drop-and-roll-me", "dem-gravity"};
 };
 
 /// What drop-and-roll does with the radius of a sphere that does not fit under the lid.
@@ -41,12 +41,49 @@ struct MovingEnlarging {
   std::int64_t sweeps = 4; ///< passes of moving and enlarging
 };
 
+/// Which law of adhesion acts where there is adhesion.
+enum class AdhesionModel { tabor, jkr, dmt };
+template <>
+struct EnumNames<AdhesionModel> {
+  static constexpr std::array<std::string_view, 3> value{"tabor", "jkr", "dmt"};
+};
+
+/// What a particle of a 2D scene is: a disc, or a sphere held in the plane (pseudo-2D). It decides mass and inertia.
+enum class FlatBody { disc, sphere };
+template <>
+struct EnumNames<FlatBody> {
+  static constexpr std::array<std::string_view, 2> value{"disc", "sphere"};
+};
+
+/// The powder's material and what its contacts do, in SI units; the defaults are a metal powder (steel) without
+/// adhesion and friction.
+struct Material {
+  double young = 2e11;      ///< E, Pa
+  double poisson = 0.3;     ///< ν
+  double density = 7800;    ///< kg/m³
+  double friction = 0;      ///< Coulomb's μ; 0: no friction, hence no rotation
+  double restitution = 0.5; ///< e
+  double adhesion = 0;      ///< work of adhesion W, J/m²; 0: none
+  AdhesionModel adhesion_model = AdhesionModel::tabor;
+};
+
+struct DemGravity {
+  double gravity = 9.81;                 ///< m/s²
+  FlatBody flat_body = FlatBody::sphere; ///< 2D scenes only; the paper's choice
+  double cloud_phi = 0.2;                ///< packing fraction of the loose cloud that settles
+  double overlap = 1e-3;                 ///< largest overlap of the bed, relative to the smaller radius
+  double force_balance = 1e-3;           ///< rms net force of a sphere in mean contact forces at which the bed rests
+  double kinetic_energy = 1e-6;          ///< mean per sphere in units of its weight times the mean radius
+};
+
 /// A method with its parameters; only the struct that `name` selects counts.
 struct Method {
   MethodName name = MethodName::drop_and_roll;
   DropAndRoll drop_and_roll;
   Lattice lattice;
   MovingEnlarging moving_enlarging;
+  Material material; ///< of the methods that know forces
+  DemGravity dem_gravity;
 };
 
 /// Whether a method starts from the packing of another job.

@@ -150,6 +150,10 @@ std::vector<Parameter<Scene>> scene_table() {
 std::vector<Parameter<Method>> method_table() {
   constexpr auto drop = &method_is<MethodName::drop_and_roll>;
   constexpr Words drop_words = "name = drop-and-roll";
+  constexpr auto dem = &method_is<MethodName::dem_gravity>;
+  constexpr Words dem_words = "name = dem-gravity";
+  constexpr auto gravity = &method_is<MethodName::dem_gravity>;
+  constexpr Words gravity_words = "name = dem-gravity";
   return {
       row<Method>(
           "name", "1", kAny, "Which generator makes the packing.", [](Method & m) -> auto& { return m.name; }),
@@ -175,6 +179,57 @@ std::vector<Parameter<Method>> method_table() {
           "in phi in 2D and 0.006 in 3D, for six to seven times the time of drop-and-roll.",
           [](Method & m) -> auto& { return m.moving_enlarging.sweeps; }, "name = drop-and-roll-me",
           &method_is<MethodName::drop_and_roll_me>),
+      row<Method>(
+          "young", "Pa", kPositive,
+          "Young's modulus E of the material. Contacts are made as soft as the tolerated overlap allows, never stiffer "
+          "than this.",
+          [](Method & m) -> auto& { return m.material.young; }, dem_words, dem),
+      row<Method>(
+          "poisson", "1", {0, 0.5}, "Poisson's ratio of the material.",
+          [](Method & m) -> auto& { return m.material.poisson; }, dem_words, dem),
+      row<Method>(
+          "density", "kg/m^3", kPositive, "Density of the material.",
+          [](Method & m) -> auto& { return m.material.density; }, dem_words, dem),
+      row<Method>(
+          "friction", "1", kNotNegative,
+          "Coulomb's coefficient mu between particles and with walls; 0 leaves out friction, rotation and the memory "
+          "of "
+          "contacts.",
+          [](Method & m) -> auto& { return m.material.friction; }, dem_words, dem),
+      row<Method>(
+          "restitution", "1", {0.01, 0.99},
+          "Coefficient of restitution e. Of no account without friction and adhesion, where energy is minimised.",
+          [](Method & m) -> auto& { return m.material.restitution; }, dem_words, dem),
+      row<Method>(
+          "adhesion", "J/m^2", kNotNegative, "Work of adhesion W; 0 leaves out adhesion.",
+          [](Method & m) -> auto& { return m.material.adhesion; }, dem_words, dem),
+      row<Method>(
+          "adhesion_model", "1", kAny,
+          "Law of adhesion: JKR, DMT, or whichever Tabor's parameter of the mean radius says.",
+          [](Method & m) -> auto& { return m.material.adhesion_model; }, dem_words, dem),
+      row<Method>(
+          "gravity", "m/s^2", kPositive, "Acceleration of gravity.",
+          [](Method & m) -> auto& { return m.dem_gravity.gravity; }, gravity_words, gravity),
+      row<Method>(
+          "flat_body", "1", kAny, "What a particle of a 2D scene is: a disc, or a sphere held in the plane.",
+          [](Method & m) -> auto& { return m.dem_gravity.flat_body; }, gravity_words, gravity),
+      row<Method>(
+          "cloud_phi", "1", {0.01, 0.3}, "Packing fraction of the loose cloud that settles.",
+          [](Method & m) -> auto& { return m.dem_gravity.cloud_phi; }, gravity_words, gravity),
+      row<Method>(
+          "overlap", "1", {1e-6, 0.1},
+          "Largest overlap of the bed relative to the smaller radius: contacts are stiffened until it is met.",
+          [](Method & m) -> auto& { return m.dem_gravity.overlap; }, gravity_words, gravity),
+      row<Method>(
+          "force_balance", "1", {1e-9, 0.1},
+          "The bed rests when the rms net force of a particle is this share of the mean contact force.",
+          [](Method & m) -> auto& { return m.dem_gravity.force_balance; }, gravity_words, gravity),
+      row<Method>(
+          "kinetic_energy", "1", kPositive,
+          "The bed rests when the mean kinetic energy of a particle is this many times its weight times the mean "
+          "radius; "
+          "of no account where energy is minimised.",
+          [](Method & m) -> auto& { return m.dem_gravity.kinetic_energy; }, gravity_words, gravity),
   };
 }
 

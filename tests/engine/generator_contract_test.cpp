@@ -28,6 +28,9 @@ Job job_of(MethodName method, std::int64_t dimension, const Psd& psd, double edg
   job.scene = completed(job.scene);
   job.method.name = method;
   job.method.lattice.kind = dimension == 2 ? LatticeKind::hexagonal : LatticeKind::hcp;
+  // Coarse, for speed: what is promised is checked against what is asked for.
+  job.method.dem_gravity.overlap = 0.02;
+  job.method.dem_gravity.force_balance = 0.01;
   REQUIRE(problems(job.scene).empty());
   return job;
 }
@@ -81,7 +84,8 @@ bool same_bytes(const Packing& a, const Packing& b) {
 
 } // namespace
 
-TEST_CASE("every generator: spheres inside the box, no overlap, N in the measures, same key same bytes") {
+TEST_CASE(
+    "every generator: spheres inside the box, no more overlap than tolerated, N in the measures, same key same bytes") {
   for (const Generator& generator : generators()) {
     for (const Case& c : cases_of(generator.name)) {
       INFO(name_of(generator.name) << ", " << c.name);
@@ -99,8 +103,10 @@ TEST_CASE("every generator: spheres inside the box, no overlap, N in the measure
         CHECK(p.size[a] == c.job.scene.size[a]);
 
       const auto overlap = measured(MetricName::overlap, p, c.job.scene);
-      CHECK(overlap.at("overlap_max") <= 1e-10);
-      CHECK(overlap.at("overlap_walls") == 0);
+      const bool soft = generator.name == MethodName::dem_gravity;
+      CHECK(overlap.at("overlap_max") <= (soft ? c.job.method.dem_gravity.overlap : 1e-10));
+      if (!soft)
+        CHECK(overlap.at("overlap_walls") == 0);
 
       CHECK(same_bytes(made(c, "key one").packing, p));
     }

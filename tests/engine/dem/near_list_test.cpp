@@ -63,7 +63,7 @@ template <int D>
 void check_against_all_pairs(std::uint64_t seed, unsigned periodic_axes) {
   constexpr double kMargin = 0.03;
   Spheres<D> s = random_spheres<D>(seed, periodic_axes, D == 2 ? 200 : 120);
-  NearList<D> list;
+  CandidateList<D> list;
   CHECK(list.stale(s.centres));
   list.build(s.box, s.centres, s.radii, s.hold, kMargin);
   CHECK_FALSE(list.stale(s.centres));
@@ -114,7 +114,7 @@ TEST_CASE("the near list has the pairs and walls that all pairs tried one by one
 
 TEST_CASE("what all spheres move alike makes no list of a periodic box stale") {
   Spheres<3> s = random_spheres<3>(1, 7U, 50);
-  NearList<3> list;
+  CandidateList<3> list;
   list.build(s.box, s.centres, s.radii, s.hold, 0.01);
   for (Vec<3>& c : s.centres)
     c += Vec<3>(0.3, -0.2, 0.5);
