@@ -40,7 +40,7 @@ struct Problem {
 };
 
 /// Longest box edge in units of the smallest radius. Coordinates carry a rounding of 1e-16 of the edge; at this limit
-/// that is a hundredth of a contact's tolerance. Drop-and-roll was seen to lose spheres from 1e6 on.
+/// that is as much as a contact's tolerance. Drop-and-roll still loses no equal spheres there, but many from 1e6 on.
 inline constexpr double kLongestBox = 1e5;
 
 /// Spheres a box may make room for.

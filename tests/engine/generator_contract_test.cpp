@@ -184,8 +184,3 @@ TEST_CASE("drop-and-roll: no overlap, no unstable or stuck sphere, a few seeds")
   for (int seed = 0; seed < 4; ++seed)
     check_seed(seed, seed % 2 == 0 ? Sides::walls : Sides::periodic);
 }
-
-TEST_CASE("drop-and-roll: no overlap, no unstable or stuck sphere, 200 seeds of each law in 2D and 3D", "[slow]") {
-  for (int seed = 100; seed < 300; ++seed)
-    check_seed(seed, seed % 2 == 0 ? Sides::walls : Sides::periodic);
-}
