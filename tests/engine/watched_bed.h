@@ -97,11 +97,12 @@ void for_each_gap(const Bed<D>& bed, const Vec<D>& p, double radius, F&& f) {
       nearest[a] += std::round((p[a] - s.centre[a]) / bed.size[a]) * bed.size[a];
     const int images = !bed.periodic ? 1 : (D == 2 ? 3 : 9);
     for (int i = 0; i < images; ++i) {
+      const int row = i / 3;
       Vec<D> q = nearest;
       if (bed.periodic) {
         q[0] += (i % 3 - 1) * bed.size[0];
         if (D == 3)
-          q[1] += (i / 3 - 1) * bed.size[1];
+          q[1] += (row - 1) * bed.size[1];
       }
       f(((p - q).norm() - s.radius - radius) / std::min(s.radius, radius), Vec<D>((p - q).normalized()));
     }
