@@ -29,8 +29,7 @@ inline constexpr int kMostHalvings = 12;
 /// bed carries its weight on fewer contacts.
 inline constexpr int kMostStiffenings = 6;
 inline constexpr double kStiffenMargin = 1.3;
-/// Margin of the near list in median radii. Measured on beds of equal and lognormal spheres it decides speed by less
-/// than a tenth between 0.1 and 0.3.
+/// Margin of the near list in median radii: a wider one makes the list longer, a narrower one due more often.
 inline constexpr double kSkin = 0.15;
 /// FIRE may take longer steps than an integrator that must follow every collision.
 inline constexpr double kFireStep = 4;

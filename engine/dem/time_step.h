@@ -10,7 +10,8 @@
 namespace tamp {
 
 /// Steps in the shortest half period of a contact. Velocity Verlet needs two in a full period; a sphere held by a dozen
-/// neighbours swings some four times faster than one contact alone, and energy is kept to about 1e-4 a collision.
+/// neighbours swings some four times faster than one contact alone; the watch of settle_run.h over energy and overlap
+/// catches the rest.
 inline constexpr double kStepsPerCollision = 20;
 
 /// Half period π √(m/k) of the contact between two equal spheres of radius r and mass m each, whose stiffness
