@@ -3,6 +3,7 @@
 
 #include "engine/base/error.h"
 #include "engine/generate/dem_gravity.h"
+#include "engine/generate/dem_isostatic.h"
 #include "engine/generate/drop_and_roll/drop_and_roll.h"
 #include "engine/generate/lattice.h"
 #include "engine/generate/moving_enlarging/moving_enlarging.h"
@@ -20,6 +21,7 @@ constexpr std::array kGenerators = {
     Generator{MethodName::lattice, &generate_lattice},
     Generator{MethodName::drop_and_roll_me, &generate_moving_enlarging},
     Generator{MethodName::dem_gravity, &generate_dem_gravity},
+    Generator{MethodName::dem_isostatic, &generate_dem_isostatic},
 };
 
 } // namespace

@@ -2,16 +2,18 @@
 #pragma once
 
 #include "engine/model/enum_names.h"
+#include "engine/model/psd.h"
 
 #include <cstdint>
 #include <span>
 
 namespace tamp {
 
-enum class MethodName { drop_and_roll, lattice, drop_and_roll_me, dem_gravity };
+enum class MethodName { drop_and_roll, lattice, drop_and_roll_me, dem_gravity, dem_isostatic };
 template <>
 struct EnumNames<MethodName> {
-  static constexpr std::array<std::string_view, 4> value{"drop-and-roll", "lattice", "drop-and-roll-me", "dem-gravity"};
+  static constexpr std::array<std::string_view, 5> value{"drop-and-roll", "lattice", "drop-and-roll-me", "dem-gravity",
+                                                         "dem-isostatic"};
 };
 
 /// What drop-and-roll does with the radius of a sphere that does not fit under the lid.
@@ -76,6 +78,15 @@ struct DemGravity {
   double kinetic_energy = 1e-6;          ///< mean per sphere in units of its weight times the mean radius
 };
 
+struct DemIsostatic {
+  double target_phi = unstated;    ///< packing fraction to stop at; not stated: compress until jammed
+  double start_phi = 0.5;          ///< of the spheres thrown into the box at random; not for a start from a packing
+  double overlap_tolerance = 1e-4; ///< largest overlap of the packing, relative to the smaller radius
+  double pressure = 1e-2;          ///< of the compression, in units of the contacts' modulus
+  double rate = 1e-3;              ///< largest share by which the box edge shrinks in one step of the minimiser
+  bool hard = false;               ///< widen the box at the end until nothing overlaps
+};
+
 /// A method with its parameters; only the struct that `name` selects counts.
 struct Method {
   MethodName name = MethodName::drop_and_roll;
@@ -84,6 +95,7 @@ struct Method {
   MovingEnlarging moving_enlarging;
   Material material; ///< of the methods that know forces
   DemGravity dem_gravity;
+  DemIsostatic dem_isostatic;
 };
 
 /// Whether a method starts from the packing of another job.

@@ -154,6 +154,8 @@ std::vector<Parameter<Method>> method_table() {
   constexpr Words dem_words = "name = dem-gravity";
   constexpr auto gravity = &method_is<MethodName::dem_gravity>;
   constexpr Words gravity_words = "name = dem-gravity";
+  constexpr auto isostatic = &method_is<MethodName::dem_isostatic>;
+  constexpr Words isostatic_words = "name = dem-isostatic";
   return {
       row<Method>(
           "name", "1", kAny, "Which generator makes the packing.", [](Method & m) -> auto& { return m.name; }),
@@ -230,6 +232,31 @@ std::vector<Parameter<Method>> method_table() {
           "radius; "
           "of no account where energy is minimised.",
           [](Method & m) -> auto& { return m.dem_gravity.kinetic_energy; }, gravity_words, gravity),
+      row<Method>(
+          "target_phi", "1", {0, 1, true, true},
+          "Packing fraction of the result; not stated: the box shrinks until the particles jam.",
+          [](Method & m) -> auto& { return m.dem_isostatic.target_phi; }, isostatic_words, isostatic),
+      row<Method>(
+          "start_phi", "1", {0.01, 0.6},
+          "Packing fraction at which particles are thrown into the box at random; of no account for a start from a "
+          "packing.",
+          [](Method & m) -> auto& { return m.dem_isostatic.start_phi; }, isostatic_words, isostatic),
+      row<Method>(
+          "overlap_tolerance", "1", {1e-8, 0.1},
+          "Largest overlap of the result relative to the smaller radius: the pressure is lowered until it is met.",
+          [](Method & m) -> auto& { return m.dem_isostatic.overlap_tolerance; }, isostatic_words, isostatic),
+      row<Method>(
+          "pressure", "1", {1e-6, 0.1},
+          "Pressure of the compression in units of the contacts' modulus: the order of relative overlaps on the way.",
+          [](Method & m) -> auto& { return m.dem_isostatic.pressure; }, isostatic_words, isostatic),
+      row<Method>(
+          "rate", "1", {1e-6, 0.05}, "Largest share by which the box edge shrinks in one step of the minimiser.",
+          [](Method & m) -> auto& { return m.dem_isostatic.rate; }, isostatic_words, isostatic),
+      row<Method>(
+          "hard", "1", kAny,
+          "At the end widen the box until nothing overlaps: hard particles, for a loss of about three times the "
+          "largest overlap in phi (twice in 2D).",
+          [](Method & m) -> auto& { return m.dem_isostatic.hard; }, isostatic_words, isostatic),
   };
 }
 

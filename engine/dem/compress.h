@@ -1,0 +1,60 @@
+// Isostatic compression of frictionless spheres in a periodic box: until they jam, or at a prescribed packing fraction.
+#pragma once
+
+#include "engine/base/vec.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace tamp {
+
+/// What to compress. Lengths in any unit.
+template <int D>
+struct CompressTask {
+  Vec<D> size;                   ///< box at the start; its shape stays
+  std::vector<double> positions; ///< D numbers a sphere, of any place; overlaps are allowed
+  std::vector<double> radii;
+
+  double target_phi = std::numeric_limits<double>::quiet_NaN(); ///< NaN: until jammed
+  double overlap = 1e-4;  ///< largest overlap tolerated at the end, relative to the smaller radius
+  double pressure = 1e-2; ///< of the compression, in units of the contacts' modulus: the order of relative overlaps
+  double rate = 1e-3;     ///< the box edge shrinks by at most this share in one step
+
+  std::filesystem::path checkpoint = {}; ///< file to keep the state in and to go on from; empty: none
+  double checkpoint_every_s = 60;        ///< wall-clock seconds
+  std::function<void()> progress{};      ///< called now and then
+};
+
+enum class CompressEnd {
+  done,    ///< overlaps are within the tolerance; without a target the spheres are jammed
+  jammed,  ///< forces balance at the target with overlaps above the tolerance: it cannot be reached this way
+  gave_up, ///< too many evaluations
+};
+
+template <int D>
+struct Compressed {
+  CompressEnd end = CompressEnd::gave_up;
+  Vec<D> size = Vec<D>::Zero();
+  std::vector<double> positions; ///< in the box
+  double phi = 0;                ///< volume of the spheres over that of the box; overlaps count twice
+  double overlap = 0;            ///< largest, relative to the smaller radius
+  double nearest = 1;            ///< smallest ratio of a distance of centres to the sum of radii, at most 1
+  double pressure = 0;
+  double force_balance = 0;     ///< rms net force of the spheres that are touched, in mean contact forces
+  std::int64_t evaluations = 0; ///< of all forces
+  std::int64_t list_rebuilds = 0;
+  std::int64_t list_repairs = 0;
+};
+
+/// Compresses. The result has the same bits on any number of threads, and however often the work was cut off and taken
+/// up again from its checkpoint. Throws Error if the box becomes too narrow for its largest sphere.
+template <int D>
+Compressed<D> compress(const CompressTask<D>& task);
+
+extern template Compressed<2> compress(const CompressTask<2>&);
+extern template Compressed<3> compress(const CompressTask<3>&);
+
+} // namespace tamp
