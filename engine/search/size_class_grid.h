@@ -51,9 +51,6 @@ public:
       visit_axis<0>(low, high, 0, 0, f);
     }
 
-  private:
-    friend class SizeClassGrid;
-
     /// Index of the period that cell i lies in (−1, 0 or 1), as a digit 0 … 2.
     [[nodiscard]] std::int64_t period(std::int64_t i, std::size_t a) const {
       return i < 0 ? 0 : (i < cells[a] ? 1 : 2);
