@@ -27,12 +27,12 @@ struct ResultRow {
 std::vector<ResultRow> results(const Store& store, std::string_view campaign);
 
 /// An array of {key, campaign, method, label, parent (the key of the packing it starts from, or empty), scene,
-/// replicate, outcome, reason, time: {wall_s, cpu_s, peak_rss_bytes, mode}, measures: {name: {value, unit}}}; scene is
-/// the canonical scene.
+/// parameters (of the method, with its revision), replicate, outcome, reason, time: {wall_s, cpu_s, peak_rss_bytes,
+/// mode}, measures: {name: {value, unit}}}; scene and parameters are those of the canonical job.
 std::string results_json(std::span<const ResultRow> rows);
 
-/// The same as RFC 4180 text with a header line. The scene is spread over columns "scene/size", "scene/psd/law", …; a
-/// measure that has a unit names it in its column: "wall_gap [um]".
+/// The same as RFC 4180 text with a header line. The scene is spread over columns "scene/size", "scene/psd/law", …, the
+/// parameters over "method/max_failures", …; a measure that has a unit names it in its column: "wall_gap [um]".
 std::string results_csv(std::span<const ResultRow> rows);
 
 } // namespace tamp

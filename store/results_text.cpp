@@ -13,10 +13,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The canonical scene; empty for a record made by hand without one.
-Json scene_of(const ResultRow& row) {
+/// A part of the canonical job; empty for a record made by hand without one.
+Json part_of(const ResultRow& row, const char* part) {
   const Json document = Json::parse(row.generation.canonical, nullptr, false);
-  return document.is_object() ? document.value("scene", Json::object()) : Json::object();
+  return document.is_object() ? document.value(part, Json::object()) : Json::object();
+}
+
+/// The method's parameters, without its name, which stands by itself.
+Json parameters_of(const ResultRow& row) {
+  Json method = part_of(row, "method");
+  method.erase("name");
+  return method;
 }
 
 Json json_of(const ResultRow& row) {
@@ -29,7 +36,8 @@ Json json_of(const ResultRow& row) {
           {"method", record.name},
           {"label", row.label},
           {"parent", record.parent},
-          {"scene", scene_of(row)},
+          {"scene", part_of(row, "scene")},
+          {"parameters", parameters_of(row)},
           {"replicate", row.replicate},
           {"outcome", name_of(record.outcome)},
           {"reason", record.reason},
@@ -99,14 +107,15 @@ std::string results_json(std::span<const ResultRow> rows) {
 }
 
 std::string results_csv(std::span<const ResultRow> rows) {
-  // Columns of scenes by name; those of measures in the order in which they first appear.
+  // Columns of scenes and methods by name; those of measures in the order in which they first appear.
   std::vector<std::map<std::string, std::string>> cells(rows.size());
-  std::set<std::string> scene_columns;
+  std::set<std::string> job_columns;
   std::vector<std::string> measure_columns;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    collect_leaves(scene_of(rows[i]), "scene", cells[i]);
+    collect_leaves(part_of(rows[i], "scene"), "scene", cells[i]);
+    collect_leaves(parameters_of(rows[i]), "method", cells[i]);
     for (const auto& [name, text] : cells[i])
-      scene_columns.insert(name);
+      job_columns.insert(name);
     for (const Measure& m : rows[i].measures) {
       const std::string column = m.unit == "1" ? m.name : m.name + " [" + m.unit + "]";
       cells[i][column] = number(m.value);
@@ -115,7 +124,7 @@ std::string results_csv(std::span<const ResultRow> rows) {
     }
   }
   std::vector<std::string> header(fixed_columns.begin(), fixed_columns.end());
-  for (const std::string& name : scene_columns)
+  for (const std::string& name : job_columns)
     header.push_back(name);
   header.insert(header.end(), measure_columns.begin(), measure_columns.end());
 

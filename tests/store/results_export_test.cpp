@@ -136,6 +136,7 @@ TEST_CASE("results as CSV spread scenes and measures over columns") {
   const std::string csv = results_csv(results(store, "c"));
   const std::string header = csv.substr(0, csv.find("\r\n"));
   CHECK(header == "key,campaign,method,label,parent,replicate,outcome,reason,wall_s,cpu_s,peak_rss_bytes,mode,"
+                  "method/lid,method/max_failures,method/on_failure,method/revision,"
                   "scene/count,scene/dimension,scene/psd/law,scene/psd/mu_ln,scene/psd/sigma_ln,scene/sampler,"
                   "scene/sides,scene/size,scene/unit,N,gap [um],tiny,H_N,bins");
   CHECK_THAT(csv, Contains(",\"[600,600]\",um,20654.0,0.30000000000000004,5e-324,0.125,80.0\r\n"));
