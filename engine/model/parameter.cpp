@@ -176,7 +176,8 @@ std::vector<Parameter<Method>> method_table() {
           [](Method & m) -> auto& { return m.lattice.kind; }, "name = lattice", &method_is<MethodName::lattice>),
       row<Method>(
           "sweeps", "1", {1, 1e4},
-          "Passes of moving and enlarging, each with a triangulation of its own. On the lognormal powder four gain "
+          "Passes of moving and enlarging, each with a triangulation of its own. On the lognormal powder of sigma_ln "
+          "0.68 four gain "
           "0.013 "
           "in phi in 2D and 0.006 in 3D, for six to seven times the time of drop-and-roll.",
           [](Method & m) -> auto& { return m.moving_enlarging.sweeps; }, "name = drop-and-roll-me",

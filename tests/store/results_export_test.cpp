@@ -51,8 +51,8 @@ TEST_CASE("results as JSON have the promised form") {
   std::vector<std::string> keys;
   for (const auto& [key, value] : first.items())
     keys.push_back(key);
-  CHECK(keys == std::vector<std::string>{"campaign", "key", "label", "measures", "method", "outcome", "parent",
-                                         "reason", "replicate", "scene", "time"});
+  CHECK(keys == std::vector<std::string>{"campaign", "key", "label", "measures", "method", "outcome", "parameters",
+                                         "parent", "reason", "replicate", "scene", "time"});
   CHECK(first["key"] == example_record(0).key);
   CHECK(first["campaign"] == "c");
   CHECK(first["method"] == "drop-and-roll");
