@@ -118,7 +118,8 @@ TEST_CASE("An outcome other than ok stands in the place of the figures, its reas
 TEST_CASE("What the paper could not run is said in its words") {
   Mixtures campaign;
   campaign.add(mixture(20), 0, 0.8, 0.7, "dp3D");
-  const auto& lines = campaign.bimodal().panels[0].groups[0].lines;
+  const Table table = campaign.bimodal();
+  const auto& lines = table.panels[0].groups[0].lines;
   REQUIRE(lines.size() == 2); // no difference
   CHECK(lines[1].cells[0].word == "memory-limited");
 }

@@ -39,14 +39,14 @@ TEST_CASE("a campaign runs, and running it again does nothing") {
 
 TEST_CASE("a method starts from the packing of another entry: after it, from its very packing, not where it has none") {
   const Workshop shop(TAMP_BINARY);
-  const auto campaign = [](const char* budget) {
-    return fmt::format(R"({{"campaign": "chain", "scene": {{"dimension": 2, "size": 30, "psd": {{"law": "lognormal", )"
+  const auto campaign = [](double size, const char* budget) {
+    return fmt::format(R"({{"campaign": "chain", "scene": {{"dimension": 2, "size": {}, "psd": {{"law": "lognormal", )"
                        R"("mu_ln": 0, "sigma_ln": 0.5, "r_min": 0.3, "r_max": 4}}}}, "replicates": 2, "methods": [)"
                        R"({{"name": "drop-and-roll", "label": "bed"}}, )"
                        R"({{"name": "drop-and-roll-me", "label": "denser", "from": "bed"}}], {}"metrics": ["phi"]}})",
-                       budget);
+                       size, budget);
   };
-  shop.write("chain.json", campaign(""));
+  shop.write("chain.json", campaign(30, ""));
   const Said run = shop.tamp("run chain.json");
   CAPTURE(run.out, run.err);
   REQUIRE(run.code == 0);
@@ -62,7 +62,7 @@ TEST_CASE("a method starts from the packing of another entry: after it, from its
   CHECK(children == 2);
   CHECK_THAT(shop.tamp("run chain.json").out, Contains("nothing to do"));
 
-  shop.write("poor.json", campaign(R"("seed": 2, "budget": {"memory_mb": 1}, )"));
+  shop.write("poor.json", campaign(kLongEdge, R"("seed": 2, "budget": {"wall_s": 0.2}, )"));
   const Said poor = shop.tamp("run poor.json");
   CHECK(poor.code == 1);
   CHECK_THAT(poor.out, Contains("not possible, as their packing was not made"));
