@@ -8,7 +8,7 @@ namespace tamp {
 namespace {
 
 constexpr std::array kMethods = {
-    MethodInfo{MethodName::drop_and_roll, 3, Start::scene,
+    MethodInfo{MethodName::drop_and_roll, 4, Start::scene,
                "drop each sphere, roll it down to a stable place (sequential, geometric)"},
     MethodInfo{MethodName::lattice, 1, Start::scene,
                "equal spheres on a lattice of known density, to judge the metrics"},
