@@ -4,7 +4,12 @@
 // −∂H/∂ε = Σ f d − D p V. Masses are what makes all frequencies of the order of one: of a sphere the stiffness of its
 // contacts, of the box Σ k d². Compression at a high pressure jams the spheres with a rigid backbone; lowering it then
 // takes the overlaps down to the tolerance while they stay jammed (as opposed to a quench that stops as soon as
-// nothing overlaps). At a prescribed packing fraction ε is fixed and E alone is minimised.
+// nothing overlaps). A stage ends when forces balance, or when the box has all but come to rest: small spheres in the
+// pores between large ones creep for as long as one cares to look, and the box feels next to nothing of it.
+//
+// A prescribed packing fraction is come to from above: a quench in a box of that size would take overlaps away at a
+// rate that falls with them. Once the pressure is so low that widening the box to the prescribed size parts most
+// contacts, it is widened, ε is fixed and E alone minimised, which only has to part the deep ones.
 #include "engine/dem/compress.h"
 
 #include "engine/base/files.h"
@@ -47,18 +52,27 @@ constexpr double kLeastContacts = 2;
 constexpr double kLongestMove = 0.3;
 
 /// Pressures fall by this factor; the last one is chosen to take the deepest overlap to this share of the tolerance.
-constexpr double kPressureDrop = 10;
+/// Falls much deeper open most contacts, which then come back one by one.
+constexpr double kPressureDrop = 3;
 constexpr double kAim = 0.8;
 
 /// A stage is over when the rms net force is below this many mean contact forces and the pressure within this share.
-/// Measured on lognormal spheres: stages cut off at 0.05 leave a backbone that creeps for ever at the low pressures.
-constexpr double kBalanced = 1e-2;
+constexpr double kBalanced = 2e-2;
 constexpr double kPressureReached = 0.05;
-/// Balance at which spheres at a prescribed packing fraction are held to be jammed.
-constexpr double kJammed = 1e-3;
+/// It is also over when the volume changed by less than the task's share within a window of so many evaluations, but
+/// not before so many evaluations: the first to answer a new pressure is the box, not the spheres.
+constexpr std::int64_t kWindow = 100;
+constexpr std::int64_t kLeastStage = 400;
+constexpr double kManyStrains = 1e9; // nothing is known yet
 /// Evaluations for balance alone, once the overlaps are within the tolerance; and for everything.
-constexpr std::int64_t kPatience = 4000;
+constexpr std::int64_t kPatience = 1000;
 constexpr std::int64_t kMostEvaluations = 200000;
+
+/// Mean overlaps of jammed spheres in units of pressure are about 6 (measured, equal and lognormal spheres). The box is
+/// widened to a prescribed packing fraction when that opens gaps of this many pressures.
+constexpr double kOpened = 12;
+/// Balance at which spheres in the widened box are held to be jammed.
+constexpr double kJammed = 1e-3;
 
 /// Evaluations after which the state can be written: the neighbour list is then made anew, so that its order is the
 /// same for a run that goes on and for one that was cut off here.
@@ -77,7 +91,7 @@ template <int D>
 class Compression {
 public:
   explicit Compression(const CompressTask<D>& task)
-      : task_(task), fixed_(!std::isnan(task.target_phi)), n_(task.radii.size()), solid_(volume_of<D>(task.radii)),
+      : task_(task), n_(task.radii.size()), solid_(volume_of<D>(task.radii)),
         order_(spatial_order<D>(task.size, task.positions)), radii_(sorted(task.radii, 1)),
         list_(all_periodic(), radii_, kSkin) {
     s_.positions = sorted(task.positions, D);
@@ -85,8 +99,6 @@ public:
     s_.masses.assign(n_, 0);
     s_.size = task.size;
     s_.pressure = task.pressure;
-    if (fixed_)
-      scale_box(std::pow(solid_ / (task.target_phi * task.size.prod()), 1.0 / D));
     forces_.resize(n_ * D);
     stiffness_.resize(n_);
   }
@@ -111,7 +123,8 @@ public:
       evaluate();
       if (const auto end = judge())
         return finish(*end);
-      step();
+      if (s_.stage_began < s_.evaluations) // else the forces are those of the stage before
+        step();
     }
   }
 
@@ -129,7 +142,11 @@ private:
     double mixing = kMixing;
     std::int64_t downhill = 0;
     std::int64_t evaluations = 0;
-    std::int64_t patience = 0; // evaluations since the overlaps came within the tolerance
+    std::int64_t stage_began = 0;
+    std::int64_t patience = 0;    // evaluations since the overlaps came within the tolerance
+    std::int64_t fixed = 0;       // 1: the box has the prescribed size
+    double window_began = 0;      // logarithm of the volume when the window did
+    double strain = kManyStrains; // change of that logarithm in the last whole window
 
     template <class Self, class F>
     static void for_each(Self& s, F&& f) {
@@ -144,7 +161,11 @@ private:
       f(s.mixing);
       f(s.downhill);
       f(s.evaluations);
+      f(s.stage_began);
       f(s.patience);
+      f(s.fixed);
+      f(s.window_began);
+      f(s.strain);
     }
   };
 
@@ -178,10 +199,24 @@ private:
     return result;
   }
 
-  void scale_box(double factor) {
+  /// Widens the box to the prescribed packing fraction.
+  void fix_box() {
+    const double factor = std::pow(present_phi() / task_.target_phi, 1.0 / D);
     s_.size *= factor;
     for (double& x : s_.positions)
       x *= factor;
+    s_.fixed = 1;
+  }
+
+  /// Goes on at another pressure, from rest.
+  void begin_stage(double pressure) {
+    s_.pressure = pressure;
+    s_.stage_began = s_.evaluations;
+    s_.strain = kManyStrains;
+    std::fill(s_.velocities.begin(), s_.velocities.end(), 0.0);
+    s_.box_velocity = 0;
+    s_.mixing = kMixing;
+    s_.downhill = 0;
   }
 
   [[nodiscard]] Eigen::Map<const Vec<D>> force(std::size_t i) const {
@@ -191,6 +226,7 @@ private:
   [[nodiscard]] Eigen::Map<Vec<D>> position(std::size_t i) { return Eigen::Map<Vec<D>>(s_.positions.data() + i * D); }
 
   [[nodiscard]] double present_pressure() const { return sums_.virial / (D * s_.size.prod()); }
+  [[nodiscard]] double present_phi() const { return solid_ / s_.size.prod(); }
 
   void evaluate() {
     const bool weigh = s_.evaluations % kMassEvery == 0;
@@ -208,7 +244,7 @@ private:
       return Motion{force(i).dot(velocity(i)), squared, squared / s_.masses[i],
                     s_.masses[i] * velocity(i).squaredNorm(), squared > 0 ? 1.0 : 0.0};
     });
-    box_force_ = fixed_ ? 0 : sums_.virial - D * s_.pressure * s_.size.prod();
+    box_force_ = s_.fixed != 0 ? 0 : sums_.virial - D * s_.pressure * s_.size.prod();
     motion_.power += box_force_ * s_.box_velocity;
     motion_.scaled += box_force_ * box_force_ / s_.box_mass;
     motion_.kinetic += s_.box_mass * s_.box_velocity * s_.box_velocity;
@@ -216,21 +252,37 @@ private:
     balance_ = mean > 0 ? std::sqrt(motion_.force / motion_.touched) / mean : std::numeric_limits<double>::infinity();
   }
 
-  /// How the run ends, if it does; else goes to the next pressure when the present one is reached.
+  /// How the run ends, if it does; else goes to the next stage when the present one is over.
   std::optional<CompressEnd> judge() {
+    if (s_.evaluations % kWindow == 0) {
+      const double now = std::log(s_.size.prod());
+      s_.strain = s_.evaluations - s_.stage_began >= kWindow ? std::abs(now - s_.window_began) : kManyStrains;
+      s_.window_began = now;
+    }
     const bool shallow = sums_.deepest <= task_.overlap;
-    if (fixed_) {
+    const bool prescribed = !std::isnan(task_.target_phi);
+    if (s_.fixed != 0) {
       if (shallow)
         return CompressEnd::done;
       if (balance_ < kJammed)
         return CompressEnd::jammed;
-    } else {
-      const bool reached = std::abs(present_pressure() / s_.pressure - 1) < kPressureReached;
+    } else if (std::abs(present_pressure() / s_.pressure - 1) < kPressureReached) {
+      const bool balanced = balance_ < kBalanced;
+      const bool at_rest = s_.strain < task_.stop_strain && s_.evaluations - s_.stage_began >= kLeastStage;
       s_.patience = shallow ? s_.patience + 1 : 0;
-      if (shallow && reached && (balance_ < kBalanced || s_.patience > kPatience))
+      if (prescribed && (balanced || at_rest)) {
+        if (present_phi() < task_.target_phi)
+          return CompressEnd::jammed;
+        const double opened = 2 * (std::pow(present_phi() / task_.target_phi, 1.0 / D) - 1);
+        const bool enough = opened > kOpened * s_.pressure;
+        begin_stage(s_.pressure / kPressureDrop);
+        if (enough)
+          fix_box();
+      } else if (shallow && (balanced || s_.patience > kPatience)) {
         return CompressEnd::done;
-      if (!shallow && reached && balance_ < kBalanced)
-        s_.pressure = std::max(s_.pressure / kPressureDrop, s_.pressure * kAim * task_.overlap / sums_.deepest);
+      } else if (!shallow && (balanced || at_rest)) {
+        begin_stage(std::max(s_.pressure / kPressureDrop, s_.pressure * kAim * task_.overlap / sums_.deepest));
+      }
     }
     if (s_.evaluations >= kMostEvaluations)
       return CompressEnd::gave_up;
@@ -287,7 +339,7 @@ private:
     for (std::size_t i = 0; i < n_; ++i)
       std::copy_n(s_.positions.begin() + static_cast<std::ptrdiff_t>(i * D), D,
                   result.positions.begin() + static_cast<std::ptrdiff_t>(std::size_t{order_[i]} * D));
-    result.phi = solid_ / s_.size.prod();
+    result.phi = present_phi();
     result.overlap = sums_.deepest;
     result.nearest = sums_.nearest;
     result.pressure = present_pressure();
@@ -318,7 +370,6 @@ private:
   }
 
   const CompressTask<D>& task_;
-  bool fixed_;
   std::size_t n_;
   double solid_; // volume of the spheres
   std::vector<std::uint32_t> order_;

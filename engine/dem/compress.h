@@ -19,9 +19,10 @@ struct CompressTask {
   std::vector<double> radii;
 
   double target_phi = std::numeric_limits<double>::quiet_NaN(); ///< NaN: until jammed
-  double overlap = 1e-4;  ///< largest overlap tolerated at the end, relative to the smaller radius
-  double pressure = 1e-2; ///< of the compression, in units of the contacts' modulus: the order of relative overlaps
-  double rate = 1e-3;     ///< the box edge shrinks by at most this share in one step
+  double overlap = 1e-4;     ///< largest overlap tolerated at the end, relative to the smaller radius
+  double pressure = 1e-2;    ///< of the compression, in units of the contacts' modulus: the order of relative overlaps
+  double rate = 1e-3;        ///< the box edge shrinks by at most this share in one step
+  double stop_strain = 1e-4; ///< a stage ends when the volume changes by less than this share in 100 evaluations
 
   std::filesystem::path checkpoint = {}; ///< file to keep the state in and to go on from; empty: none
   double checkpoint_every_s = 60;        ///< wall-clock seconds
@@ -30,7 +31,7 @@ struct CompressTask {
 
 enum class CompressEnd {
   done,    ///< overlaps are within the tolerance; without a target the spheres are jammed
-  jammed,  ///< forces balance at the target with overlaps above the tolerance: it cannot be reached this way
+  jammed,  ///< the target cannot be reached this way: jammed below it under pressure, or at it with too much overlap
   gave_up, ///< too many evaluations
 };
 

@@ -46,6 +46,7 @@ public:
     task_.overlap = method_.overlap_tolerance;
     task_.pressure = method_.pressure;
     task_.rate = method_.rate;
+    task_.stop_strain = method_.stop_strain;
     task_.checkpoint = request_.checkpoint;
     if (request_.progress)
       task_.progress = [this] { request_.progress(task_.radii.size()); };
@@ -121,8 +122,9 @@ private:
     packing.positions = std::move(end.positions);
     packing.radii = task_.radii;
     if (end.end == CompressEnd::jammed) {
-      out.reason = fmt::format("jammed below the packing fraction {:g}: forces balance there at an overlap of {:.2g}",
-                               method_.target_phi, end.overlap);
+      out.reason = fmt::format(
+          "jammed below the packing fraction {:g}: at a pressure of {:.2g}, with overlaps up to {:.2g}, it is {:.4g}",
+          method_.target_phi, end.pressure, end.overlap, end.phi);
     } else if (end.end == CompressEnd::gave_up) {
       out.reason =
           fmt::format("after {} evaluations the overlap is {:.2g} (limit {:g}), net forces {:.2g} of contacts'",

@@ -84,6 +84,7 @@ struct DemIsostatic {
   double overlap_tolerance = 1e-4; ///< largest overlap of the packing, relative to the smaller radius
   double pressure = 1e-2;          ///< of the compression, in units of the contacts' modulus
   double rate = 1e-3;              ///< largest share by which the box edge shrinks in one step of the minimiser
+  double stop_strain = 1e-4;       ///< change of the volume in 100 evaluations at which the box is at rest
   bool hard = false;               ///< widen the box at the end until nothing overlaps
 };
 

@@ -254,6 +254,11 @@ std::vector<Parameter<Method>> method_table() {
           "rate", "1", {1e-6, 0.05}, "Largest share by which the box edge shrinks in one step of the minimiser.",
           [](Method & m) -> auto& { return m.dem_isostatic.rate; }, isostatic_words, isostatic),
       row<Method>(
+          "stop_strain", "1", {1e-9, 0.1},
+          "The box is at rest, and the pressure may fall, when its volume changes by less than this share in 100 "
+          "evaluations of all forces.",
+          [](Method & m) -> auto& { return m.dem_isostatic.stop_strain; }, isostatic_words, isostatic),
+      row<Method>(
           "hard", "1", kAny,
           "At the end widen the box until nothing overlaps: hard particles, for a loss of about three times the "
           "largest overlap in phi (twice in 2D).",
