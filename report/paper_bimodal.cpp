@@ -37,7 +37,9 @@ std::span<const PaperBimodalRow> paper_bimodal_rows() {
   return kRows;
 }
 
-const PaperBimodalRow* find_paper_bimodal(std::string_view method, double size_ratio) {
+const PaperBimodalRow* find_paper_bimodal(std::string_view label, double size_ratio) {
+  const PaperMethod* ours = paper_method(label);
+  const std::string_view method = ours ? ours->bimodal : label;
   for (const PaperBimodalRow& row : kRows) {
     if (row.method == method && row.size_ratio == size_ratio)
       return &row;

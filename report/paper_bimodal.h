@@ -30,7 +30,7 @@ struct PaperBimodalRow {
 
 std::span<const PaperBimodalRow> paper_bimodal_rows();
 
-/// nullptr if the paper has none.
-const PaperBimodalRow* find_paper_bimodal(std::string_view method, double size_ratio);
+/// The row of a method label of ours; nullptr if the paper has none.
+const PaperBimodalRow* find_paper_bimodal(std::string_view label, double size_ratio);
 
 } // namespace tamp

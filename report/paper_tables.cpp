@@ -32,6 +32,12 @@ constexpr std::array kLognormal3d = {
 };
 // clang-format on
 
+constexpr std::array kPaperMethods = {
+    PaperMethod{"dem-isostatic NANF", "dp3D_NANF", "dp3D"},
+    PaperMethod{"dem-gravity NANF", "LAMMPS_NANF", "LAMMPS"},
+    PaperMethod{"dem-gravity Lee2018", "LAMMPS_Lee2018", ""},
+};
+
 // The law's parameters as the identities of the lognormal law say they must be meant: the paper's Table 1 has its
 // columns permuted (exp(0.30 + 0.68^2/2) = 1.70, its mean; 1.70 sqrt(exp(0.68^2) - 1) = 1.30, its standard deviation).
 constexpr std::array kPaperTables = {
@@ -41,7 +47,17 @@ constexpr std::array kPaperTables = {
 
 } // namespace
 
-const PaperRow* PaperTable::find(std::string_view method) const {
+const PaperMethod* paper_method(std::string_view label) {
+  for (const PaperMethod& method : kPaperMethods) {
+    if (method.label == label)
+      return &method;
+  }
+  return nullptr;
+}
+
+const PaperRow* PaperTable::find(std::string_view our_label) const {
+  const PaperMethod* ours = paper_method(our_label);
+  const std::string_view method = ours ? ours->lognormal : our_label;
   for (const PaperRow& row : rows) {
     if (row.method == method)
       return &row;

@@ -15,6 +15,17 @@ inline constexpr std::string_view kPaperCitation =
 /// The machine of the paper's times: one core, jobs one after the other.
 inline constexpr std::string_view kPaperMachine = "Intel Core Ultra 7 155H";
 
+/// A label of our campaigns for a discrete element method, and what the paper calls such packings in its tables of the
+/// lognormal powder and of binary mixtures (empty: not there). NANF: no adhesion, no friction.
+struct PaperMethod {
+  std::string_view label;
+  std::string_view lognormal;
+  std::string_view bimodal;
+};
+
+/// nullptr for any other label: the paper then may have the label itself.
+const PaperMethod* paper_method(std::string_view label);
+
 /// A number with the digits after the point with which the paper prints it.
 struct Printed {
   double value;
@@ -45,8 +56,8 @@ struct PaperTable {
   double r_max_um;
   std::span<const PaperRow> rows;
 
-  /// The row of a method label; nullptr if the paper has none.
-  [[nodiscard]] const PaperRow* find(std::string_view method) const;
+  /// The row of a method label of ours; nullptr if the paper has none.
+  [[nodiscard]] const PaperRow* find(std::string_view our_label) const;
 };
 
 std::span<const PaperTable> paper_tables();

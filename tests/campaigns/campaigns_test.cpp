@@ -134,6 +134,15 @@ TEST_CASE("domain-size cuts the law where the box is smaller, and shares its 133
   }
 }
 
+TEST_CASE("target-density prescribes densities within 0.002 of the experiment's 0.62") {
+  std::set<double> targets;
+  for (const PlannedJob& planned : checked_in("target-density.json").jobs) {
+    if (const double target = planned.job.method.dem_isostatic.target_phi; target > 0)
+      targets.insert(target);
+  }
+  CHECK(targets == std::set<double>{0.618, 0.62, 0.622});
+}
+
 TEST_CASE("scaling states its counts, from a thousand to three million") {
   std::map<Law, std::set<std::int64_t>> counts;
   for (const PlannedJob& planned : checked_in("scaling.json").jobs)

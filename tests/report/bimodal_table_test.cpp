@@ -1,5 +1,6 @@
 // Tables of binary mixtures: lines beside the paper's, outcomes in words, the Furnas plane.
 #include "report/bimodal_tables.h"
+#include "report/paper_bimodal.h"
 #include "tests/report/synthetic_campaign.h"
 
 #include <catch2/catch.hpp>
@@ -113,6 +114,14 @@ TEST_CASE("An outcome other than ok stands in the place of the figures, its reas
   const Table both = campaign.bimodal();
   CHECK(both.panels[0].groups[0].remark == "n = 1; other runs: memory-limited");
   CHECK(both.panels[0].groups[0].lines[0].cells[column(both.panels[0], "phi_paper")].value == Approx(0.77));
+}
+
+TEST_CASE("Our discrete element rows stand beside the paper's under their own names") {
+  CHECK(find_paper_bimodal("dem-isostatic NANF", 5) == find_paper_bimodal("dp3D", 5));
+  CHECK(find_paper_bimodal("dem-gravity NANF", 5) == find_paper_bimodal("LAMMPS", 5));
+  CHECK(find_paper_bimodal("dem-gravity Lee2018", 5) == nullptr);
+  CHECK(paper_table("lognormal_3d").find("dem-isostatic NANF")->method == "dp3D_NANF");
+  CHECK(paper_table("lognormal_3d").find("dem-gravity Lee2018")->method == "LAMMPS_Lee2018");
 }
 
 TEST_CASE("What the paper could not run is said in its words") {
