@@ -16,7 +16,7 @@ constexpr std::array kMethods = {
                "move the spheres of a drop-and-roll packing into the middle of their neighbours and let them grow"},
     MethodInfo{MethodName::dem_gravity, 1, Start::either,
                "settle a loose cloud, or another packing, under gravity (discrete element method)"},
-    MethodInfo{MethodName::dem_isostatic, 2, Start::either,
+    MethodInfo{MethodName::dem_isostatic, 3, Start::either,
                "compress frictionless spheres in a periodic box until they jam, or to a prescribed packing fraction"},
 };
 

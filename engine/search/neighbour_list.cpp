@@ -190,11 +190,6 @@ void NeighbourList<D>::for_each_near(std::size_t i, std::size_t l, F&& f) const 
 /// Puts the moved spheres in anew; false if that is not possible and only a rebuild helps.
 template <int D>
 bool NeighbourList<D>::repair_moved(std::span<const double> positions) {
-  // The search through cells reaches one period: two largest spheres and what both may have drifted must fit in.
-  for (int a = 0; a < D; ++a) {
-    if (periodic_[static_cast<std::size_t>(a)] && !((2 + 2 * kMostDrift) * largest_reach_ < built_size_[a]))
-      return false;
-  }
   const Vec<D> back = built_size_.cwiseQuotient(size_);
   for (const auto& block : moved_) {
     for (const std::uint32_t j : block) {
@@ -206,6 +201,12 @@ bool NeighbourList<D>::repair_moved(std::span<const double> positions) {
         return false;
       Eigen::Map<Vec<D>>(references_.data() + std::size_t{j} * D) = place;
     }
+  }
+  // The search through cells reaches one period: two largest spheres and what both have drifted must fit in.
+  const double drift = *std::max_element(drifts_.begin(), drifts_.end());
+  for (int a = 0; a < D; ++a) {
+    if (periodic_[static_cast<std::size_t>(a)] && !(2 * (largest_reach_ + drift) < built_size_[a]))
+      return false;
   }
   for (const auto& block : moved_) {
     for (const std::uint32_t j : block) {
