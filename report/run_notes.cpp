@@ -71,7 +71,7 @@ std::string timing_in_words(const RunGroup& group, const GroupTime& time) {
       processors.insert(run.generation->provenance.cpu_model);
   }
   std::string text = fmt::format("timing mode {} ({})", name_of(time.mode),
-                                 time.mode == TimingMode::exclusive ? "alone on the machine, on one pinned thread"
+                                 time.mode == TimingMode::exclusive ? "no other job of the store beside it, on one pinned thread"
                                                                     : "other jobs ran beside it");
   if (time.seconds.n < group.ok_count())
     text +=

@@ -28,6 +28,19 @@ double expected_count(const Scene& scene, const SizeLaw& law) {
   return std::max(1.0, full_box_count(scene, law));
 }
 
+/// The box of the grid: without a lid as high as the bed is expected to grow, with a margin, lest all that lies above
+/// the box is searched one by one.
+template <int D>
+Vec<D> grid_box(const Job& job, const SizeLaw& law) {
+  constexpr double margin = 2;
+  Vec<D> box = Eigen::Map<const Vec<D>>(job.scene.size.data());
+  if (!job.method.drop_and_roll.lid) {
+    const double filled = static_cast<double>(job.scene.count) / std::max(1.0, full_box_count(job.scene, law));
+    box[vertical<D>] *= std::max(1.0, margin * filled);
+  }
+  return box;
+}
+
 /// Ratio of radii within one class of the grid. Measured in 3D, from 2.5 to 4 the time changes by less than its noise:
 /// each class is one more search a sphere, each factor one more look at spheres out of reach. 2 and 8 are slower.
 constexpr double kClassRatio = 2.8;
@@ -48,7 +61,7 @@ public:
   DropAndRollRun(const Job& job, std::string_view key)
       : job_(job), law_(job.scene.psd, D), expected_(expected_count(job.scene, law_)),
         size_(Eigen::Map<const Vec<D>>(job.scene.size.data())), periodic_(lateral(job.scene.sides == Sides::periodic)),
-        grid_(size_, periodic_, size_classes(law_, expected_)),
+        grid_(grid_box<D>(job, law_), periodic_, size_classes(law_, expected_)),
         skyline_(size_, periodic_, std::pow(expected_, (D - 1.0) / D)), descent_(size_, periodic_, grid_),
         headroom_(size_, periodic_, grid_),
         radii_(law_, job.scene.sampler, static_cast<std::uint64_t>(std::ceil(expected_)),
