@@ -52,6 +52,7 @@ Cell time_cell(const GroupTime& time) {
   Cell cell = time_cell(time.seconds.mean);
   cell.spread = time.seconds.sd;
   cell.n = time.seconds.n;
+  cell.keys = time.keys;
   return cell;
 }
 
@@ -68,6 +69,7 @@ Cell difference_cell(const Cell& run, const Cell& paper, bool count) {
   cell.value = run.value - paper.value;
   cell.decimals = std::min(shown_decimals(run), shown_decimals(paper));
   cell.sign = true;
+  cell.keys = run.keys;
   if (count)
     cell.relative = cell.value / paper.value;
   return cell;
@@ -79,6 +81,7 @@ Cell speed_cell(const Cell& run, const Cell& paper) {
     return cell;
   cell.value = paper.value / run.value;
   cell.style = CellStyle::ratio;
+  cell.keys = run.keys;
   cell.quantity = "time of the paper / time of this run";
   return cell;
 }

@@ -1,7 +1,7 @@
 // Writes tables in Markdown.
 #include "report/markdown.h"
 
-#include "report/number.h"
+#include "report/cell_text.h"
 #include "report/symbols.h"
 
 #include <fmt/format.h>
@@ -10,42 +10,8 @@ namespace tamp {
 
 namespace {
 
-constexpr std::string_view kThinSpace = "\u2009";
-
 std::string markdown(std::string_view text) {
   return render_text(text, markdown_text, [](const Symbol& symbol) { return std::string(symbol.markdown); });
-}
-
-std::string superscript(int exponent) {
-  return fmt::format("<sup>{}{}</sup>", exponent < 0 ? "−" : "", exponent < 0 ? -exponent : exponent);
-}
-
-/// Digits with thin spaces and a real minus sign.
-std::string digits(std::string_view number) {
-  std::string out = grouped(number, kThinSpace);
-  return out.starts_with('-') ? "−" + out.substr(1) : out;
-}
-
-std::string markdown_cell(const Cell& cell) {
-  if (cell.empty())
-    return "–";
-  if (!cell.word.empty())
-    return markdown(cell.word);
-  const CellText text = show(cell);
-  std::string out = digits(text.value);
-  if (text.exponent)
-    out += "·10" + superscript(*text.exponent);
-  if (!text.spread.empty())
-    out += " ± " + digits(text.spread);
-  if (cell.doubtful)
-    out = "(" + out + ")";
-  if (text.unit == "x")
-    out += "×";
-  else if (!text.unit.empty())
-    out += " " + text.unit;
-  if (!text.relative.empty())
-    out += fmt::format(" ({} %)", digits(text.relative));
-  return out;
 }
 
 std::string markdown_panel(const Panel& panel) {
@@ -70,7 +36,7 @@ std::string markdown_panel(const Panel& panel) {
         head += " " + markdown(group.remark);
       out += "| " + head + " |" + (flat ? "" : " " + markdown(group.lines[i].name) + " |");
       for (const Cell& cell : group.lines[i].cells)
-        out += " " + markdown_cell(cell) + " |";
+        out += " " + marked_cell(cell, markdown) + " |";
       out += "\n";
     }
   }

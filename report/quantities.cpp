@@ -17,12 +17,22 @@ Summary summarize_measure(const RunGroup& group, std::string_view measure) {
   return summarize(values);
 }
 
+std::vector<std::string> ok_keys(const RunGroup& group) {
+  std::vector<std::string> keys;
+  for (const Run& run : group.runs) {
+    if (run.ok())
+      keys.push_back(run.planned.key);
+  }
+  return keys;
+}
+
 Cell quantity_cell(const RunGroup& group, const Quantity& quantity) {
   const Summary summary = summarize_measure(group, quantity.symbol == "N_part" ? "N" : quantity.symbol);
   Cell cell;
   cell.n = summary.n;
   cell.style = quantity.style;
   cell.decimals = quantity.decimals;
+  cell.keys = ok_keys(group);
   switch (quantity.statistic) {
   case Statistic::mean:
     cell.value = summary.mean;
@@ -44,11 +54,16 @@ GroupTime group_time(const RunGroup& group) {
   });
   const TimingMode mode = any_exclusive ? TimingMode::exclusive : TimingMode::shared;
   std::vector<double> seconds;
+  GroupTime time;
+  time.mode = mode;
   for (const Run& run : group.runs) {
-    if (run.ok() && run.generation->timing.mode == mode)
-      seconds.push_back(run.generation->timing.wall_s);
+    if (!run.ok() || run.generation->timing.mode != mode)
+      continue;
+    seconds.push_back(run.generation->timing.wall_s);
+    time.keys.push_back(run.planned.key);
   }
-  return {summarize(seconds), mode};
+  time.seconds = summarize(seconds);
+  return time;
 }
 
 } // namespace tamp

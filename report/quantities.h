@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tamp {
 
@@ -25,6 +26,9 @@ struct Quantity {
 /// The statistics of a measure over the ok runs of the group that have it.
 Summary summarize_measure(const RunGroup& group, std::string_view measure);
 
+/// The keys of the ok runs of a group.
+std::vector<std::string> ok_keys(const RunGroup& group);
+
 /// The cell of a quantity; empty if no run has it.
 Cell quantity_cell(const RunGroup& group, const Quantity& quantity);
 
@@ -33,6 +37,7 @@ Cell quantity_cell(const RunGroup& group, const Quantity& quantity);
 struct GroupTime {
   Summary seconds;
   TimingMode mode = TimingMode::shared;
+  std::vector<std::string> keys; ///< of the runs that count
 };
 GroupTime group_time(const RunGroup& group);
 

@@ -6,11 +6,13 @@
 #include "engine/model/report_tables.h"
 #include "report/bimodal_tables.h"
 #include "report/csv.h"
+#include "report/decision_table.h"
 #include "report/domain_size_table.h"
 #include "report/latex.h"
 #include "report/lognormal_table.h"
 #include "report/markdown.h"
 #include "report/notes.h"
+#include "report/page.h"
 #include "store/store.h"
 
 #include <fmt/format.h>
@@ -109,6 +111,11 @@ std::vector<ReportFile> make_report(const ReportInput& input) {
     throw InputError(fmt::format("{}: report/tables asks for no table; known: {}", plan.file, known_tables()));
   std::vector<ReportFile> files;
   std::vector<Table> tables;
+  if (Table decision = decision_table(input.runs); !decision.panels.empty()) {
+    files.push_back({"decision.tex", latex_fragment(decision)});
+    files.push_back({"decision.csv", csv_table(decision)});
+    tables.push_back(std::move(decision));
+  }
   for (const std::string& name : plan.report.tables) {
     const auto [table, records] = make_table(input, name);
     files.push_back({name + ".tex", latex_fragment(table)});
@@ -119,6 +126,7 @@ std::vector<ReportFile> make_report(const ReportInput& input) {
   const std::string& title = plan.title.empty() ? plan.campaign : plan.title;
   files.push_back({"tables.tex", latex_document(title, tables)});
   files.push_back({"report.md", markdown_page(title, opening(plan, tables), tables)});
+  files.push_back({"index.html", html_page(input, tables, {}, {})});
   return files;
 }
 
@@ -128,7 +136,7 @@ std::vector<std::filesystem::path> write_report(const Plan& plan, const Store& s
   std::string command = "tamp run " + plan.file;
   if (store.folder() != "tamp-store") // the default of every command
     command += " --store " + store.folder().string();
-  const std::vector<ReportFile> files = make_report({plan, runs, command});
+  const std::vector<ReportFile> files = make_report({plan, runs, command, store.folder().string()});
 
   std::error_code error;
   std::filesystem::create_directories(out, error);

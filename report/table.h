@@ -24,12 +24,13 @@ struct Cell {
   std::size_t n = 0;     ///< numbers behind the value; 0 where it is not a statistic
   CellStyle style = CellStyle::fixed;
   std::string_view unit = "1";
-  std::optional<int> decimals; ///< after the point, in the unit shown, without a spread; else 3 significant digits
-  bool sign = false;           ///< show + too
-  double relative = kNone;     ///< shown behind the value in per cent
-  bool doubtful = false;       ///< shown in parentheses, as the paper does with what it calls anomalous
-  std::string quantity;        ///< in CSV files, where it is not that of the column
-  std::string word;            ///< shown instead of a number: how a job ended
+  std::optional<int> decimals;   ///< after the point, in the unit shown, without a spread; else 3 significant digits
+  bool sign = false;             ///< show + too
+  double relative = kNone;       ///< shown behind the value in per cent
+  bool doubtful = false;         ///< shown in parentheses, as the paper does with what it calls anomalous
+  std::string quantity;          ///< in CSV files, where it is not that of the column
+  std::string word;              ///< shown instead of a number: how a job ended
+  std::vector<std::string> keys; ///< of the generation jobs whose runs are behind it; empty for printed figures
 
   [[nodiscard]] bool empty() const;
 };
