@@ -70,9 +70,10 @@ std::string timing_in_words(const RunGroup& group, const GroupTime& time) {
     if (run.ok() && run.generation->timing.mode == time.mode)
       processors.insert(run.generation->provenance.cpu_model);
   }
-  std::string text = fmt::format("timing mode {} ({})", name_of(time.mode),
-                                 time.mode == TimingMode::exclusive ? "no other job of the store beside it, on one pinned thread"
-                                                                    : "other jobs ran beside it");
+  std::string text =
+      fmt::format("timing mode {} ({})", name_of(time.mode),
+                  time.mode == TimingMode::exclusive ? "no other job of the store beside it, on one pinned thread"
+                                                     : "other jobs ran beside it");
   if (time.seconds.n < group.ok_count())
     text +=
         fmt::format(", {} of the {} replicates, as the others ran in shared mode", time.seconds.n, group.ok_count());
