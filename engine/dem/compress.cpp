@@ -13,6 +13,7 @@
 #include "engine/dem/compress.h"
 
 #include "engine/base/files.h"
+#include "engine/dem/fire.h"
 #include "engine/dem/overlap_forces.h"
 #include "engine/dem/state_file.h"
 #include "engine/search/spatial_order.h"
@@ -28,13 +29,6 @@ namespace {
 
 /// Margin of the neighbour list in radii.
 constexpr double kSkin = 0.1;
-
-/// FIRE (Guénolé et al., Comput. Mater. Sci. 175, 109584, 2020), with its published constants.
-constexpr double kGrow = 1.1;
-constexpr double kShrink = 0.5;
-constexpr double kMixing = 0.25;
-constexpr double kMixingDecay = 0.99;
-constexpr std::int64_t kDelay = 20;
 
 /// Steps in units of the inverse frequency that the masses set. With m = Σ k over the contacts of a sphere the highest
 /// frequency is √2 (|u_i − u_j|² ≤ 2 u_i² + 2 u_j²), the longest stable step √2; the rest is for contacts that form
@@ -139,7 +133,7 @@ private:
     double box_mass = 0;
     double pressure = 0;
     double dt = kFirstStep;
-    double mixing = kMixing;
+    double mixing = Fire::kMixing;
     std::int64_t downhill = 0;
     std::int64_t evaluations = 0;
     std::int64_t stage_began = 0;
@@ -215,7 +209,7 @@ private:
     s_.strain = kManyStrains;
     std::fill(s_.velocities.begin(), s_.velocities.end(), 0.0);
     s_.box_velocity = 0;
-    s_.mixing = kMixing;
+    s_.mixing = Fire::kMixing;
     s_.downhill = 0;
   }
 
@@ -291,15 +285,15 @@ private:
 
   void step() {
     if (motion_.power > 0) {
-      if (++s_.downhill > kDelay) {
-        s_.dt = std::min(s_.dt * kGrow, kLongestStep);
-        s_.mixing *= kMixingDecay;
+      if (++s_.downhill > Fire::kDelay) {
+        s_.dt = std::min(s_.dt * Fire::kGrow, kLongestStep);
+        s_.mixing *= Fire::kMixingDecay;
       }
     } else {
       if (s_.downhill > 0)
-        s_.dt = std::max(s_.dt * kShrink, kShortestStep);
+        s_.dt = std::max(s_.dt * Fire::kShrink, kShortestStep);
       s_.downhill = 0;
-      s_.mixing = kMixing;
+      s_.mixing = Fire::kMixing;
       parallel_for(n_, [&](std::size_t i) {
         position(i) -= 0.5 * s_.dt * velocity(i);
         velocity(i).setZero();
