@@ -48,7 +48,7 @@ if(failed EQUAL 0)
   file(REAL_PATH ${top} top)
   if(top STREQUAL source_dir) # else: an unpacked archive that lies inside some other checkout
     list(GET answer 1 TAMP_COMMIT)
-    set(program CMakeLists.txt CMakePresets.json .cmake)
+    set(program CMakeLists.txt CMakePresets.json .cmake report/page)
     foreach(room engine store campaigns report)
       list(APPEND program ${room}/*.h ${room}/*.cpp)
     endforeach()

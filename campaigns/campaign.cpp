@@ -3,12 +3,13 @@
 
 #include "campaigns/campaign_file.h"
 #include "campaigns/expand.h"
-#include "campaigns/json_document.h"
+#include "campaigns/extend.h"
 #include "campaigns/nearest.h"
 #include "engine/base/error.h"
 #include "engine/base/files.h"
 
 #include <algorithm>
+#include <deque>
 #include <span>
 #include <system_error>
 
@@ -44,15 +45,9 @@ std::vector<Metric> applicable_metrics(std::span<const PlannedJob> jobs) {
 
 Plan read_campaign(std::string_view text, const std::filesystem::path& file) {
   Mistakes mistakes(file.string(), text);
-  JsonDocument document;
-  try {
-    document = parse_json(text);
-  } catch (const JsonSyntaxError& error) {
-    mistakes.add({{error.pointer, error.offset}, error.what(), "", ""});
-  }
-  mistakes.throw_if_any();
-
-  CampaignFile read = read_campaign_file(document, file.parent_path(), mistakes);
+  std::deque<std::string> extended; // texts that `mistakes` and the document refer to
+  const JsonDocument document = read_extended(text, file, extended, mistakes);
+  CampaignFile read = read_campaign_file(document, mistakes);
   Plan plan{read.campaign, read.title, file.string(), read.run, read.report, {}, expand(read, mistakes)};
   mistakes.throw_if_any();
   plan.metrics = read.metrics ? *read.metrics : applicable_metrics(plan.jobs);

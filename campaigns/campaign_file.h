@@ -1,12 +1,12 @@
 // A campaign file as read: every statement with its place, before sweeps are multiplied out.
 #pragma once
 
+#include "campaigns/expression.h"
 #include "campaigns/histogram_file.h"
 #include "campaigns/mistakes.h"
 #include "campaigns/rules.h"
 #include "engine/model/plan.h"
 
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -43,10 +43,29 @@ struct Step {
 };
 using Axis = std::vector<Step>;
 
-/// Axes that multiply, the first varying slowest.
+/// A value that follows from others at each point.
+struct Derivation {
+  std::string path;
+  Expression expression;
+  Place place;
+  std::size_t group = 0;
+};
+
+/// What must hold at a point for a method: each path has one of its values, and the method is one of those named.
+struct Condition {
+  Place place;
+  std::map<std::string, std::vector<JsonLeaf>> values;
+  std::vector<std::string> methods; ///< labels or names; none: any method
+};
+
+/// Axes that multiply, the first varying slowest; then what is left out, added and derived.
 struct SweepBlock {
   Place place;
   std::vector<Axis> axes;
+  std::optional<Condition> when;
+  std::vector<Condition> exclude;
+  Axis include; ///< further points
+  std::vector<Derivation> derived;
 };
 
 struct MethodEntry {
@@ -75,7 +94,6 @@ struct CampaignFile {
 struct Reading {
   CampaignFile& file;
   Mistakes& mistakes;
-  std::filesystem::path folder; ///< of the campaign file
 };
 
 /// The readers of the parts; each tells its mistakes and goes on.
@@ -85,7 +103,7 @@ void read_metrics(const JsonNode& node, Reading& reading);
 void read_sweep(const JsonNode& node, Reading& reading);
 
 /// Reads a whole document; what it lacks takes its default.
-CampaignFile read_campaign_file(const JsonDocument& document, const std::filesystem::path& folder, Mistakes& mistakes);
+CampaignFile read_campaign_file(const JsonDocument& document, Mistakes& mistakes);
 
 /// One value for `path`, which must be sweepable.
 Statement read_statement(const std::string& path, const JsonNode& node, const std::string& pointer, std::size_t group,

@@ -1,8 +1,8 @@
-// Multiplies sweeps out and joins points, methods and replicates into jobs.
+// Joins the points of a sweep, methods and replicates into jobs.
 #include "campaigns/expand.h"
 
 #include "campaigns/json_document.h"
-#include "campaigns/point.h"
+#include "campaigns/sweep_points.h"
 
 #include <fmt/format.h>
 
@@ -13,55 +13,6 @@ namespace tamp {
 
 namespace {
 
-const Statement* find_statement(const SweepPoint& point, std::string_view path) {
-  for (const Step* step : point.steps) {
-    for (const Statement& statement : step->statements) {
-      if (statement.path == path)
-        return &statement;
-    }
-  }
-  return nullptr;
-}
-
-/// Number of points, or nothing if there are more than kMostJobs.
-std::optional<std::size_t> count_points(const std::vector<SweepBlock>& sweep) {
-  std::size_t sum = 0;
-  for (const SweepBlock& block : sweep) {
-    std::size_t product = 1;
-    for (const Axis& axis : block.axes) {
-      product *= axis.size(); // both factors are far below 2^32
-      if (product > kMostJobs)
-        return std::nullopt;
-    }
-    sum += product;
-    if (sum > kMostJobs)
-      return std::nullopt;
-  }
-  return sum;
-}
-
-/// All points, the first axis varying slowest.
-std::vector<SweepPoint> points_of(const std::vector<SweepBlock>& sweep) {
-  if (sweep.empty())
-    return {SweepPoint{}};
-  std::vector<SweepPoint> points;
-  for (const SweepBlock& block : sweep) {
-    std::vector<SweepPoint> partial = {SweepPoint{{}, &block}};
-    for (const Axis& axis : block.axes) {
-      std::vector<SweepPoint> longer;
-      for (const SweepPoint& point : partial) {
-        for (const Step& step : axis) {
-          longer.push_back(point);
-          longer.back().steps.push_back(&step);
-        }
-      }
-      partial = std::move(longer);
-    }
-    points.insert(points.end(), partial.begin(), partial.end());
-  }
-  return points;
-}
-
 class Expander {
 public:
   Expander(const CampaignFile& file, Mistakes& mistakes)
@@ -70,11 +21,12 @@ public:
   std::vector<PlannedJob> expand() {
     if (!file_.whole)
       return {};
-    if (!count_points(file_.sweep)) {
+    const auto sweep = sweep_points(file_, kMostJobs, mistakes_);
+    if (!sweep) {
       too_many("points");
       return {};
     }
-    const auto points = points_of(file_.sweep);
+    const std::vector<SweepPoint>& points = sweep->points;
     std::vector<Scene> scenes;
     std::vector<std::vector<SceneProblem>> problems;
     for (const SweepPoint& point : points) {
@@ -109,21 +61,13 @@ private:
   void count_methods(const SweepPoint& point) {
     for (const Step* step : point.steps) {
       for (const Statement& statement : step->statements) {
-        const auto counts = [&](const MethodEntry& entry) { return method_row(statement, entry.method) != nullptr; };
-        if (find_row(repeat_parameters(), statement.path) != nullptr ||
-            std::any_of(file_.methods.begin(), file_.methods.end(), counts))
+        bool counts = find_row(repeat_parameters(), statement.path) != nullptr;
+        for (std::size_t m = 0; m < file_.methods.size(); ++m)
+          counts = counts || (point.methods[m] && method_row(statement.path, file_.methods[m].method) != nullptr);
+        if (counts)
           counted_[statement.group] = true;
       }
     }
-  }
-
-  /// The row of a "method/…" statement if this method has it.
-  static const Parameter<Method>* method_row(const Statement& statement, const Method& method) {
-    constexpr std::string_view root = "method/";
-    if (statement.path.rfind(root, 0) != 0)
-      return nullptr;
-    const auto* row = find_row(method_parameters(), std::string_view(statement.path).substr(root.size()));
-    return row != nullptr && row->applies(method) ? row : nullptr;
   }
 
   /// Where to point for a problem whose own value the sweep does not state: at the step that varies the scene, or at
@@ -223,20 +167,23 @@ private:
       }
     }
     std::vector<std::vector<std::string>> keys; // of each entry and replicate
-    for (const MethodEntry& entry : file_.methods) {
+    for (std::size_t m = 0; m < file_.methods.size(); ++m) {
+      keys.emplace_back();
+      if (!point.methods[m])
+        continue;
+      const MethodEntry& entry = file_.methods[m];
       PlannedJob planned;
       planned.job = {scene, entry.method, repeats.seed, 0, ""};
       planned.label = entry.label;
       planned.point = of_point;
       for (const Step* step : point.steps) {
         for (const Statement& statement : step->statements) {
-          if (const auto* row = method_row(statement, entry.method)) {
+          if (const auto* row = method_row(statement.path, entry.method)) {
             row->set(planned.job.method, *statement.leaf);
             planned.point[statement.path] = statement.words;
           }
         }
       }
-      keys.emplace_back();
       for (std::int64_t i = 0; i < repeats.replicates; ++i) {
         planned.job.replicate = i;
         if (entry.from)

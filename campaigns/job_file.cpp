@@ -78,4 +78,19 @@ Job read_job(std::string_view text) {
   return job;
 }
 
+MetricJob read_metric_job(std::string_view text) {
+  Mistakes mistakes("metric", text);
+  const JsonDocument document = parse_json(text);
+  if (member(document.root, "kind").text != "metric")
+    throw InputError("metric: \"kind\" is not \"metric\"");
+  MetricJob job;
+  job.packing = member(document.root, "parent").text;
+  set_all(member(document.root, "metric"), metric_parameters(), "/metric", job.metric, mistakes);
+  mistakes.throw_if_any();
+  if (canonical(job.metric, job.packing) != text)
+    throw InputError(fmt::format("metric: made by another revision of {}, or by a tamp that knew other parameters",
+                                 name_of(job.metric.name)));
+  return job;
+}
+
 } // namespace tamp

@@ -15,4 +15,13 @@ std::string job_json(const Job& job);
 /// no job, or one of another revision of its method, which this program could not run to the same bytes.
 Job read_job(std::string_view text);
 
+/// A metric and the packing that it is measured on.
+struct MetricJob {
+  Metric metric;
+  std::string packing; ///< key
+};
+
+/// The same for the canonical text of a metric (engine/model/job.h).
+MetricJob read_metric_job(std::string_view text);
+
 } // namespace tamp

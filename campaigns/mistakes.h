@@ -24,7 +24,14 @@ struct Mistake {
 class Mistakes {
 public:
   /// `file` is its name in messages; `text` must outlive this.
-  Mistakes(std::string file, std::string_view text) : file_(std::move(file)), text_(text) {}
+  Mistakes(std::string file, std::string_view text) : sources_{{std::move(file), text, 0}} {}
+
+  /// Adds a further file, whose text must outlive this, too. Returns what its bytes' numbers have to be raised by, so
+  /// that one number tells file and byte.
+  std::size_t add_source(std::string file, std::string_view text);
+
+  /// The file that a byte belongs to.
+  [[nodiscard]] const std::string& file_at(std::size_t offset) const { return source_of(offset).file; }
 
   void add(Mistake mistake) { found_.push_back(std::move(mistake)); }
   [[nodiscard]] std::size_t count() const { return found_.size(); }
@@ -39,8 +46,14 @@ public:
   void throw_if_any() const;
 
 private:
-  std::string file_;
-  std::string_view text_;
+  struct Source {
+    std::string file;
+    std::string_view text;
+    std::size_t begin;
+  };
+  [[nodiscard]] const Source& source_of(std::size_t offset) const;
+
+  std::vector<Source> sources_; ///< one behind the other, with a byte between
   std::vector<Mistake> found_;
 };
 

@@ -12,6 +12,8 @@ namespace tamp {
 struct SweepPoint {
   std::vector<const Step*> steps; ///< one of each axis
   const SweepBlock* block = nullptr;
+  bool included = false;     ///< by the block's "include": not subject to its "exclude"
+  std::vector<bool> methods; ///< which entries of CampaignFile::methods are made here
 };
 
 /// What is impossible about one scene.

@@ -125,11 +125,14 @@ private:
   }
 
   void report(const JsonNode& node) {
-    const std::vector<std::string> known = {"tables"};
+    std::vector<std::string> known = paths_of(report_parameters());
+    known.emplace_back("tables");
     if (!expect_kind(node, Kind::object, "an object", "/report", mistakes()))
       return;
     for (const JsonMember& member : node.members) {
-      if (member.key != "tables")
+      if (const auto* row = find_row(report_parameters(), member.key))
+        set(*row, reading_.file.report, member.value, json_pointer("/report", member.key));
+      else if (member.key != "tables")
         unknown_key(member, json_pointer("/report", member.key), known, {}, mistakes());
       else if (expect_kind(member.value, Kind::list, "a list of table names", "/report/tables", mistakes()))
         tables(member.value);
@@ -162,11 +165,11 @@ private:
 
 } // namespace
 
-CampaignFile read_campaign_file(const JsonDocument& document, const std::filesystem::path& folder, Mistakes& mistakes) {
+CampaignFile read_campaign_file(const JsonDocument& document, Mistakes& mistakes) {
   CampaignFile file;
   for (const DuplicateKey& key : document.duplicates)
     mistakes.add({{key.pointer, key.offset}, "the key stands twice in its object", "each key once", ""});
-  Reading reading{file, mistakes, folder};
+  Reading reading{file, mistakes};
   TopReader(document.root, reading).read();
   return file;
 }

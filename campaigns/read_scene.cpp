@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace tamp {
 
@@ -83,7 +84,8 @@ Statement read_statement(const std::string& path, const JsonNode& node, const st
   } else if (expect_kind(node, JsonNode::Kind::text, "the name of a CSV file", pointer, reading.mistakes)) {
     statement.words = node.text;
     try {
-      statement.sizes = std::make_shared<MeasuredSizes>(read_measured_sizes(reading.folder / node.text));
+      const std::filesystem::path folder = std::filesystem::path(reading.mistakes.file_at(node.offset)).parent_path();
+      statement.sizes = std::make_shared<MeasuredSizes>(read_measured_sizes(folder / node.text));
     } catch (const InputError& error) {
       reading.mistakes.add({statement.place, error.what(), "", ""});
     }

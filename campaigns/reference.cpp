@@ -91,7 +91,12 @@ std::string reference_page() {
   out += "\nParameters stand in the metric's entry.\n\n" + table(metric_parameters(), "") + "\n";
 
   out += "## Sweep\n\n";
-  out += fmt::format("- `grid`: {}\n- `zip`: {}\n- `points`: {}\n\n", kGridDoc, kZipDoc, kPointsDoc);
+  for (const auto& [key, doc] :
+       {std::pair{"grid", kGridDoc}, std::pair{"zip", kZipDoc}, std::pair{"points", kPointsDoc},
+        std::pair{"include", kIncludeDoc}, std::pair{"exclude", kExcludeDoc}, std::pair{"when", kWhenDoc},
+        std::pair{"derived", kDerivedDoc}})
+    out += fmt::format("- `{}`: {}\n", key, doc);
+  out += '\n';
 
   out += "## Running\n\n`timing` stands at the top, the rest under `budget`.\n\n" +
          table(run_parameters(), "budget/", {}, "timing");
@@ -99,7 +104,8 @@ std::string reference_page() {
   out += timing.substr(timing.find("| `timing`")) + "\n";
 
   out += "## Report\n\n" + std::string(kTablesDoc) + " Under `report/tables`:\n\n" +
-         list(kReportTables, [](const ReportTableInfo& entry) { return entry.name; });
+         list(kReportTables, [](const ReportTableInfo& entry) { return entry.name; }) + "\n" +
+         table(report_parameters(), "report/");
   return out;
 }
 

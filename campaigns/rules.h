@@ -37,6 +37,13 @@ inline constexpr std::string_view kFromDoc =
 inline constexpr std::string_view kGridDoc = "Every combination of the listed values; the first path varies slowest.";
 inline constexpr std::string_view kZipDoc = "Lists of equal length, walked together.";
 inline constexpr std::string_view kPointsDoc = "Points written out one by one, each with its values.";
+inline constexpr std::string_view kWhenDoc =
+    "The block counts only where each path has one of its values and \"method\" is one of the labels or names.";
+inline constexpr std::string_view kExcludeDoc = "Conditions like \"when\"; where one of them holds, nothing is made.";
+inline constexpr std::string_view kIncludeDoc = "Points added to those of the block, whatever is excluded.";
+inline constexpr std::string_view kDerivedDoc =
+    "Values that follow from others: path and expression (+ - * / ^, parentheses, pi, sqrt, cbrt, log, exp, round, "
+    "floor, ceil, names of parameters with dots: scene.psd.radius).";
 inline constexpr std::string_view kTablesDoc = "Tables the report should contain.";
 inline constexpr std::string_view kBudgetDoc = "What one job may take before it is stopped.";
 

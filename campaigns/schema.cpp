@@ -121,7 +121,7 @@ Json scene() {
 }
 
 /// Which parameters of a powder have a meaning for each law. A sweep may change the law from point to point, so this
-/// holds for files without a sweep alone.
+/// holds for files without a sweep alone; and an extended file may state the rest.
 Json law_conditions() {
   Json all = Json::array();
   constexpr std::string_view group = "psd/";
@@ -138,7 +138,7 @@ Json law_conditions() {
     const auto at_psd = [](Json psd) -> Json {
       return {{"scene", {{"required", {"psd"}}, {"properties", {{"psd", std::move(psd)}}}}}};
     };
-    Json condition = {{"not", {{"required", {"sweep"}}}},
+    Json condition = {{"not", {{"anyOf", {{{"required", {"sweep"}}}, {{"required", {"extends"}}}}}}},
                       {"required", {"scene"}},
                       {"properties", at_psd({{"required", {"law"}}, {"properties", {{"law", {{"const", law}}}}}})}};
     all.push_back({{"if", std::move(condition)}, {"then", {{"properties", at_psd({{"properties", excluded}})}}}});
@@ -176,7 +176,8 @@ Json entries(std::span<const Parameter<Root>> table, const std::string& prefix, 
   return {{"type", "array"}, {"description", doc}, {"items", {{"anyOf", std::move(choices)}}}};
 }
 
-Json sweep_block() {
+/// A block, with what it refers to put into `definitions`.
+Json sweep_block(Json& definitions) {
   Json lists = Json::object();
   Json values = Json::object();
   for (const std::string& path : sweep_paths()) {
@@ -194,8 +195,33 @@ Json sweep_block() {
     block["properties"][key] = map_of(lists, doc);
     block["properties"][key]["minProperties"] = 1;
   }
-  block["properties"]["points"] = {
+  definitions["sweep_points"] = {
       {"type", "array"}, {"minItems", 1}, {"description", kPointsDoc}, {"items", map_of(values, "One point.")}};
+  block["properties"]["points"] = {{"$ref", "#/$defs/sweep_points"}};
+  block["properties"]["include"] = {{"$ref", "#/$defs/sweep_points"}, {"description", kIncludeDoc}};
+  const auto one_or_more = [](const Json& value) -> Json {
+    return {{"anyOf", {value, {{"type", "array"}, {"minItems", 1}, {"items", value}}}}};
+  };
+  Json conditions = {{"method", one_or_more({{"type", "string"}})}};
+  Json numeric = Json::array();
+  for (const std::string& path : sweep_paths()) {
+    const auto rule = sweep_rule(path);
+    if (rule)
+      conditions[path] = one_or_more(reference(path));
+    if (rule && is_numeric(rule->kind))
+      numeric.push_back(path);
+  }
+  definitions["sweep_condition"] = map_of(conditions, "Holds where each path has one of its values.");
+  definitions["sweep_condition"]["minProperties"] = 1;
+  const Json condition = {{"$ref", "#/$defs/sweep_condition"}};
+  block["properties"]["when"] = {{"$ref", "#/$defs/sweep_condition"}, {"description", kWhenDoc}};
+  block["properties"]["exclude"] = {
+      {"type", "array"}, {"minItems", 1}, {"description", kExcludeDoc}, {"items", condition}};
+  block["properties"]["derived"] = {{"type", "object"},
+                                    {"description", kDerivedDoc},
+                                    {"minProperties", 1},
+                                    {"propertyNames", {{"enum", numeric}}},
+                                    {"additionalProperties", {{"type", "string"}}}};
   return block;
 }
 
@@ -231,6 +257,8 @@ Json top_value(std::string_view name, std::string_view doc) {
     Json out = object(doc);
     out["properties"]["tables"] = {
         {"type", "array"}, {"description", kTablesDoc}, {"uniqueItems", true}, {"items", {{"anyOf", tables}}}};
+    for (const std::string& path : paths_of(report_parameters()))
+      out["properties"][path] = reference("report/" + path);
     return out;
   }
   if (find_row(repeat_parameters(), name) != nullptr)
@@ -247,20 +275,25 @@ std::string schema_json() {
   Json schema = object("A campaign of tamp: which packings to make, how often, and what to measure on them.");
   Json top = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "tamp campaign"}};
   top.update(schema);
+  Json required = Json::array();
   for (const TopKey& key : top_keys()) {
     top["properties"][std::string(key.name)] = top_value(key.name, key.doc);
     if (key.required)
-      top["required"].push_back(key.name);
+      required.push_back(key.name);
   }
+  top["required"] = {"campaign"}; // the rest may come from the extended file
   top["allOf"] = law_conditions();
+  top["allOf"].push_back({{"if", {{"not", {{"required", {"extends"}}}}}}, {"then", {{"required", required}}}});
   Json& definitions = top["$defs"];
   define(definitions, scene_parameters(), "scene/");
   definitions[definition("scene/" + std::string(kFilePath))] = {{"type", "string"}, {"description", kFileDoc}};
   define(definitions, method_parameters(), "method/");
   define(definitions, metric_parameters(), "metric/");
   define(definitions, run_parameters(), "run/");
+  define(definitions, report_parameters(), "report/");
   define(definitions, repeat_parameters(), "");
-  definitions["sweep_block"] = sweep_block();
+  Json block = sweep_block(definitions);
+  definitions["sweep_block"] = std::move(block);
   return top.dump(2) + "\n";
 }
 

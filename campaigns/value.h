@@ -30,6 +30,11 @@ struct ValueRule {
   [[nodiscard]] std::string allowed() const;
 };
 
+/// Whether values of the kind can enter arithmetic: numbers, whole numbers and lists of (one) number.
+constexpr bool is_numeric(ParameterKind kind) {
+  return kind == ParameterKind::number || kind == ParameterKind::integer || kind == ParameterKind::numbers;
+}
+
 /// The value as a leaf of the rule's kind: a whole number may be written 200, 200.0 or 2e2; where a list of numbers is
 /// due, one number is a list of one. Nothing, and a mistake, if the value is of another kind or not allowed.
 std::optional<JsonLeaf> read_value(const JsonNode& node, const ValueRule& rule, const std::string& pointer,

@@ -1,6 +1,7 @@
 // Makes the table of binary mixtures over the size ratio.
 #include "report/bimodal_tables.h"
 #include "report/cells.h"
+#include "report/density_oracle.h"
 #include "report/notes.h"
 #include "report/paper_bimodal.h"
 
@@ -20,6 +21,7 @@ constexpr std::array kCompared = {Quantity{"N_part", CellStyle::fixed, 0}, Quant
                                   Quantity{"N_L", CellStyle::fixed, 0}, Quantity{"phi_paper"}}; // time stands last
 constexpr std::array kOwn = {Quantity{"X_L"},
                              Quantity{"phi"},
+                             Quantity{"phi_box"}, // left out where no group has it
                              Quantity{"N_PB", CellStyle::fixed, 0},
                              Quantity{"overlap_max", CellStyle::scientific, 0, Statistic::largest},
                              Quantity{"stable_alone", CellStyle::share, 0, Statistic::smallest},
@@ -57,29 +59,42 @@ std::array<Cell, 5> run_cells(const RunGroup& runs) {
 
 Group compared_group(const RunGroup& runs, const std::string& name) {
   const auto found = run_cells(runs);
-  Group group{name, fmt::format("n = {}", runs.ok_count()), {{"this run", {found.begin(), found.end()}}}};
+  Group group{
+      name, fmt::format("n = {}", runs.ok_count()) + start_remark(runs), {{"this run", {found.begin(), found.end()}}}};
   if (const std::string others = other_outcomes(runs); runs.ok_count() > 0 && !others.empty())
     group.remark += "; other runs: " + others;
   const Scene& scene = runs.job().scene;
-  const PaperBimodalRow* row = find_paper_bimodal(runs.label, scene.psd.size_ratio);
+  const PaperBimodalRow* row = find_paper_bimodal(runs.job().method, scene.psd.size_ratio);
   if (!row || !is_paper_mixture(scene))
     return group;
+  group.remark += protocol_remark(runs);
   const auto printed = paper_cells(*row);
   Group::Line difference{"difference", {}};
   for (std::size_t i = 0; i < kCompared.size(); ++i)
     difference.cells.push_back(difference_cell(found[i], printed[i], i == 0 || i == 2));
-  difference.cells.push_back(speed_cell(found.back(), printed.back()));
+  difference.cells.push_back(speed_cell(time_cell(way_time(runs)), printed.back()));
   group.lines.push_back({"paper", {printed.begin(), printed.end()}});
   if (row->has_figures() && runs.ok_count() > 0)
     group.lines.push_back(difference);
   return group;
 }
 
-Group own_group(const RunGroup& runs, const std::string& name) {
+std::vector<Quantity> own_quantities(std::span<const RunGroup> groups) {
+  std::vector<Quantity> own;
+  const bool whole = any_has(groups, "phi_box");
+  std::copy_if(kOwn.begin(), kOwn.end(), std::back_inserter(own),
+               [&](const Quantity& quantity) { return whole || quantity.symbol != "phi_box"; });
+  return own;
+}
+
+Group own_group(const RunGroup& runs, const std::string& name, std::span<const Quantity> quantities,
+                DensityOracle& oracle) {
   const Scene& scene = runs.job().scene;
   Group::Line line{"", {edge_cell(scene.size.front() * micrometres(scene.unit))}};
-  for (const Quantity& quantity : kOwn)
+  for (const Quantity& quantity : quantities)
     line.cells.push_back(quantity_cell(runs, quantity));
+  const auto cells = oracle_cells(runs, oracle);
+  line.cells.insert(line.cells.end(), cells.begin(), cells.end());
   return {name, {}, {line}};
 }
 
@@ -110,8 +125,10 @@ std::vector<Note> own_notes() {
        "⟨rho⟩ = ⟨R_L⟩/⟨R_S⟩. ⟨X⟩: edge of the box. ⟨N_part⟩: spheres in it, ⟨N_L⟩: large ones, ⟨P_NL⟩: their share by "
        "number, ⟨X_L⟩: by volume, as reached; the law asks for the fraction that \"What was run\" says. ⟨phi_paper⟩: "
        "the paper's estimator in the central sub-box, ⟨N_PB⟩: spheres centred in it; ⟨phi⟩: the exact packing "
-       "fraction of that sub-box. ⟨overlap_max⟩: deepest overlap relative to the smaller radius, ⟨stable_alone⟩: share "
-       "in equilibrium with their neighbours held, both in the worst replicate. ⟨z⟩: mean number of contacts."},
+       "fraction of that sub-box, ⟨phi_box⟩: of the whole box, where it is periodic on all sides. ⟨overlap_max⟩: "
+       "deepest overlap relative to the smaller radius, ⟨stable_alone⟩: share "
+       "in equilibrium with their neighbours held, both in the worst replicate. ⟨z⟩: mean number of contacts." +
+           oracle_sentence()},
       {"⟨X_L⟩ reached",
        "Drawing a new radius after each sphere that does not fit (on_failure redraw, the paper's protocol) fills the "
        "box with small spheres once large ones no longer fit, so ⟨X_L⟩ comes out below the law's, and ⟨N_part⟩ above "
@@ -140,15 +157,19 @@ Table bimodal_table(std::span<const RunGroup> groups) {
   for (const Quantity& quantity : kCompared)
     compared.columns.push_back(heading(quantity));
   compared.columns.push_back({"time", "", ""});
-  for (const Quantity& quantity : kOwn)
+  const std::vector<Quantity> own_columns = own_quantities(groups);
+  for (const Quantity& quantity : own_columns)
     own.columns.push_back(heading(quantity));
+  const auto columns_of_oracle = oracle_columns();
+  own.columns.insert(own.columns.end(), columns_of_oracle.begin(), columns_of_oracle.end());
+  DensityOracle oracle;
   const std::vector<std::string> names = names_of(groups);
   for (std::size_t i = 0; i < groups.size(); ++i) {
     const bool ok = groups[i].ok_count() > 0;
     if (ok || !other_outcomes(groups[i]).empty())
       compared.groups.push_back(compared_group(groups[i], names[i]));
     if (ok)
-      own.groups.push_back(own_group(groups[i], names[i]));
+      own.groups.push_back(own_group(groups[i], names[i], own_columns, oracle));
   }
 
   Table table;

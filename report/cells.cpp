@@ -14,6 +14,10 @@ double micrometres(LengthUnit unit) {
   return factors[static_cast<std::size_t>(unit)];
 }
 
+std::string_view unit_text(LengthUnit unit) {
+  return unit == LengthUnit::um ? "µm" : name_of(unit);
+}
+
 bool agrees(double a, double b, double relative) {
   return std::abs(a - b) <= relative * std::max(std::abs(a), std::abs(b));
 }
@@ -49,7 +53,7 @@ Cell time_cell(double seconds) {
 }
 
 Cell time_cell(const GroupTime& time) {
-  Cell cell = time_cell(time.seconds.mean);
+  Cell cell = time_cell(time.seconds.median);
   cell.spread = time.seconds.sd;
   cell.n = time.seconds.n;
   cell.keys = time.keys;
@@ -86,6 +90,16 @@ Cell speed_cell(const Cell& run, const Cell& paper) {
   return cell;
 }
 
+std::string start_remark(const RunGroup& group) {
+  const std::string words = group.start_in_words();
+  return words.empty() ? words : "; from " + words;
+}
+
+std::string protocol_remark(const RunGroup& group) {
+  const std::string words = other_protocol(group.job().method);
+  return words.empty() ? words : "; not the paper's protocol: " + words;
+}
+
 Column heading(const Quantity& quantity) {
   return {quantity.symbol == "bins" ? "K" : std::string(quantity.symbol), "1", ""};
 }
@@ -99,6 +113,10 @@ std::string other_outcomes(const RunGroup& group) {
   std::string words;
   for (const Outcome outcome : seen)
     words += (words.empty() ? "" : ", ") + std::string(name_of(outcome));
+  const bool barred = std::any_of(group.runs.begin(), group.runs.end(),
+                                  [](const Run& run) { return !run.generation && run.barrier() != nullptr; });
+  if (barred)
+    words += words.empty() ? "not possible" : ", not possible";
   return words;
 }
 

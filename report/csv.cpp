@@ -20,13 +20,6 @@ std::string csv_field(std::string_view text) {
   return out + '"';
 }
 
-/// A heading with the plain names of its symbols.
-std::string plain(std::string_view text) {
-  return render_text(
-      text, [](std::string_view words) { return std::string(words); },
-      [](const Symbol& symbol) { return std::string(symbol.name); });
-}
-
 } // namespace
 
 std::string csv_record(std::span<const std::string> fields) {
@@ -41,7 +34,7 @@ std::string csv_number(double value) {
 }
 
 std::string csv_table(const Table& table) {
-  std::string out = "table,method,source,quantity,unit,value,sd,n\n";
+  std::string out = "table,panel,method,source,quantity,unit,value,sd,n\n";
   for (const Panel& panel : table.panels) {
     for (const Group& group : panel.groups) {
       for (const Group::Line& line : group.lines) {
@@ -51,10 +44,11 @@ std::string csv_table(const Table& table) {
             continue;
           const bool word = !cell.word.empty();
           const std::string& quantity = cell.quantity.empty() ? panel.columns[i].quantity : cell.quantity;
-          const std::array<std::string, 8> fields = {table.name,
-                                                     plain(group.heading),
+          const std::array<std::string, 9> fields = {table.name,
+                                                     plain_text(panel.title),
+                                                     plain_text(group.heading),
                                                      line.name.empty() ? "this run" : line.name,
-                                                     word ? "outcome" : quantity,
+                                                     word && cell.quantity.empty() ? "outcome" : quantity,
                                                      word ? std::string() : std::string(cell.unit),
                                                      word ? cell.word : csv_number(cell.value),
                                                      csv_number(cell.spread),

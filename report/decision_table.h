@@ -9,12 +9,14 @@
 namespace tamp {
 
 /// One panel for each scene in which two or more groups have ok runs, in the order of the campaign. Lines are needs:
-/// fastest (least time per sphere), densest (largest mean phi), most faithful (least H_V, in 2D H_S, in units of its
-/// sampling floor). Each shows the winner's number, the next one's, and whether their means differ by more than
-/// kTellApart standard errors. Empty where no scene has two methods.
-Table decision_table(std::span<const Run> runs);
+/// fastest (least time per sphere), densest (largest mean phi), most faithful (least excess of H_N and of H_V, in 2D
+/// H_S, over their sampling floors, of which the larger counts); with `phi_exp`, the packing fraction of an experiment,
+/// also closest (least |phi − phi_exp|) and closest per cost (that times the time per sphere). Each shows the winner's
+/// number, the next one's, and whether their means differ by the test of comparison.h. What cannot be judged is named
+/// in a note: methods without a packing, mixtures far from the scene's. Empty where no scene has two methods.
+Table decision_table(std::span<const Run> runs, double phi_exp = unstated);
 
-/// Means closer than so many standard errors of their difference are not told apart.
-inline constexpr double kTellApart = 2;
+/// Means are told apart where such a difference has less than this chance among equal ones.
+inline constexpr double kTellApart = 0.05;
 
 } // namespace tamp

@@ -4,6 +4,7 @@
 #include "report/cells.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -15,7 +16,8 @@ namespace tamp {
 
 namespace {
 
-constexpr std::array kShown = {Quantity{"N_part", CellStyle::fixed, 0}, Quantity{"phi_paper"}, Quantity{"phi"}};
+constexpr std::array kShown = {Quantity{"N_part", CellStyle::fixed, 0}, Quantity{"phi_paper"}, Quantity{"phi"},
+                               Quantity{"phi_box"}};
 
 std::array<Quantity, 4> distances(int dimension) {
   const bool two = dimension == 2;
@@ -86,19 +88,27 @@ const std::vector<Column> kFitColumns = {{"points", "1", ""}, {"N_min", "1", ""}
 struct Converging {
   std::string symbol;
   PlateauCriterion criterion;
+  bool excess = false; ///< of a Hellinger distance over its floor, which falls with N and so is no convergence
+
+  [[nodiscard]] Summary of(const RunGroup& group) const {
+    return excess ? summarize_excess(group, symbol) : summarize_measure(group, symbol);
+  }
+  [[nodiscard]] std::string name() const {
+    return excess ? fmt::format("⟨{0}⟩ − ⟨{0}_floor⟩", symbol) : fmt::format("⟨{}⟩", symbol);
+  }
 };
 
 /// Rows of the panel of convergence, and a sentence for each quantity that has no plateau.
 void add_plateaus(const SizeFamily& family, Panel& panel, std::string& reasons) {
   const bool two = family.groups.front().job().scene.dimension == 2;
   const std::array<Converging, 4> quantities = {
-      Converging{"phi_paper", kPhiCriterion}, Converging{"phi", kPhiCriterion}, Converging{"H_N", kHellingerCriterion},
-      Converging{two ? "H_S" : "H_V", kHellingerCriterion}};
+      Converging{"phi_paper", kPhiCriterion}, Converging{"phi", kPhiCriterion},
+      Converging{"H_N", kHellingerCriterion, true}, Converging{two ? "H_S" : "H_V", kHellingerCriterion, true}};
   for (const Converging& quantity : quantities) {
     std::vector<SizePoint> points;
     bool increasing = true;
     for (const RunGroup& group : family.groups) {
-      const Summary summary = summarize_measure(group, quantity.symbol);
+      const Summary summary = quantity.of(group);
       if (summary.n == 0)
         continue;
       increasing = increasing && (points.empty() || points.back().size < edge_of(group));
@@ -107,18 +117,18 @@ void add_plateaus(const SizeFamily& family, Panel& panel, std::string& reasons) 
     if (points.empty())
       continue;
     if (!increasing) {
-      reasons += fmt::format(" {}, ⟨{}⟩: several groups share one size.", family.name, quantity.symbol);
+      reasons += fmt::format(" {}, {}: several groups share one size.", family.name, quantity.name());
       continue;
     }
     const Plateau found = find_plateau(points, quantity.criterion);
     panel.groups.push_back(
-        {fmt::format("{}: ⟨{}⟩", family.name, quantity.symbol),
+        {fmt::format("{}: {}", family.name, quantity.name()),
          {},
          {{"",
            {number_cell(found.value, 4), three_digits(quantity.criterion.tolerance),
             three_digits(quantity.criterion.spread), found.size ? edge_cell(*found.size) : word_cell("none")}}}});
     if (!found.size)
-      reasons += fmt::format(" {}, ⟨{}⟩: {}.", family.name, quantity.symbol, found.why_none);
+      reasons += fmt::format(" {}, {}: {}.", family.name, quantity.name(), found.why_none);
   }
 }
 
@@ -143,7 +153,8 @@ Note columns_note() {
   return {"Columns",
           "Mean ± sample standard deviation over the n replicates that ended ok. ⟨X⟩: edge of the box. "
           "⟨N_part⟩: particles. ⟨phi_paper⟩: the paper's estimator, ⟨phi⟩: the exact packing fraction, both "
-          "in the central sub-box. ⟨H_N⟩, ⟨H_V⟩ (⟨H_S⟩ in 2D): Hellinger distance of the radii to the law, by "
+          "in the central sub-box; ⟨phi_box⟩: the exact one of the whole box, where it is periodic on all sides. "
+          "⟨H_N⟩, ⟨H_V⟩ (⟨H_S⟩ in 2D): Hellinger distance of the radii to the law, by "
           "number and by volume (surface), with the floor that perfect random sampling of as many particles "
           "has. Where the box is smaller than the law's largest sphere, the law is cut (r_max in \"What was "
           "run\") and ⟨H⟩ is the distance to the cut law. ⟨t_over_fit⟩: geometric mean of the times divided by that of "
@@ -161,9 +172,11 @@ Note fit_note() {
 }
 
 Note convergence_note(const std::string& reasons) {
-  std::string text = "The plateau is the mean in the largest box; ⟨X_RVE⟩ is the smallest box from which on every mean "
-                     "lies within the tolerance of it and the standard deviation over replicates is under its bound. "
-                     "The largest box alone proves nothing.";
+  std::string text =
+      "The plateau is the mean in the largest box; ⟨X_RVE⟩ is the smallest box from which on every mean "
+      "lies within the tolerance of it and the standard deviation over replicates is under its bound. "
+      "The largest box alone proves nothing. Of a distance ⟨H⟩ the excess over its floor is judged: the floor falls "
+      "with the number of particles in any box, and ⟨H⟩ with it.";
   if (!reasons.empty())
     text += " No such box:" + reasons;
   return {"Convergence", text};
@@ -174,6 +187,11 @@ std::string remarks_on(const SizeFamily& family, const TimedPoints& timed, const
   std::string text;
   if (timed.left_out > 0)
     text += fmt::format(" {}: {} runs in the other timing mode are left out of the fit.", family.name, timed.left_out);
+  if (timed.disturbed > 0)
+    text += fmt::format(" {}: {} disturbed times are left out of the fit.", family.name, timed.disturbed);
+  if (timed.processors.size() > 1)
+    text += fmt::format(" {}: the fit joins times of different processors, {}, and so is no law of any of them.",
+                        family.name, fmt::join(timed.processors, " and "));
   if (!law.warnings.empty())
     text += fmt::format(" {}: {}.", family.name, fmt::join(law.warnings, "; "));
   return text;

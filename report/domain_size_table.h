@@ -7,6 +7,7 @@
 #include "report/table.h"
 
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,6 +33,8 @@ struct TimedPoints {
   std::vector<PowerPoint> points;
   std::vector<std::optional<std::size_t>> of_group; ///< the point of each group of the family
   std::size_t left_out = 0;                         ///< ok runs of the other mode
+  std::size_t disturbed = 0;                        ///< ok runs of this mode whose times do not count
+  std::set<std::string> processors;                 ///< on which the times were taken
 };
 TimedPoints timed_points(const SizeFamily& family);
 

@@ -1,7 +1,9 @@
 // Notes on the lines and columns of lognormal tables.
 #include "engine/base/canonical_json.h"
+#include "report/density_oracle.h"
 #include "report/lognormal_table.h"
 #include "report/notes.h"
+#include "report/quantities.h"
 
 #include <fmt/format.h>
 
@@ -20,23 +22,30 @@ const Metric* find_metric(const Plan& plan, MetricName name) {
 Note lines_note(const NotesInput& input) {
   std::string text =
       "\"this run\": mean ± sample standard deviation over the n replicates that ended ok, no standard deviation for "
-      "n = 1. \"paper\": the figure as printed in " +
+      "n = 1 or where the replicates agree to nine digits. \"paper\": the figure as printed in " +
       std::string(kPaperCitation) +
       ". \"difference\": this run minus paper, with the digits that both have, for counts also in per cent of the "
       "paper's; for the time the factor paper / this run, above 1 where this run is faster. The paper's rows of "
       "methods "
-      "that were not run are left out.";
+      "that were not run are left out. Which row of the paper stands beside a group is decided by method and contact "
+      "effects, whatever its label.";
   for (const RunGroup& group : input.groups) {
     if (group.ok_count() == 0)
       continue;
     const Likeness like = likeness(group.job().scene, *input.lognormal);
-    if (!input.lognormal->find(group.label))
-      text += fmt::format(" {}: the paper has no such method.", group.heading);
+    const PaperRow* row = input.lognormal->find(group.job().method);
+    if (!row)
+      text += fmt::format(" {}: the paper has no such method with these effects.", group.heading);
     else if (like == Likeness::other_powder)
       text += fmt::format(" {}: not the paper's powder, so not compared.", group.heading);
     else if (like == Likeness::other_size)
       text += fmt::format(" {}: the paper's powder in another box than its {} µm, so only ⟨phi_paper⟩ is compared.",
                           group.heading, canonical_number(input.lognormal->edge_um));
+    if (row && like != Likeness::other_powder) {
+      const std::string protocol = other_protocol(group.job().method);
+      text += fmt::format(" {} stands beside the paper's {}{}{}.", group.heading, row->method,
+                          protocol.empty() ? "" : ", which was made by another protocol than this run's: ", protocol);
+    }
   }
   return {"Lines", text};
 }
@@ -48,6 +57,8 @@ Note columns_note(const NotesInput& input) {
                                  two ? "H_S" : "H_V", two ? "surface (r²)" : "volume (r³)");
   if (const Metric* hellinger = find_metric(input.plan, MetricName::hellinger))
     text += fmt::format(", with ⟨K⟩ = {} equal bins over the law's range of radii", hellinger->bins);
+  else
+    text += " (empty: this campaign does not ask for the metric hellinger)";
   text += fmt::format("; ⟨H_N_floor⟩, ⟨{}⟩: root mean square of it over perfect random samplers with as many particles "
                       "and the same bins.",
                       two ? "H_S_floor" : "H_V_floor");
@@ -60,6 +71,8 @@ Note columns_note(const NotesInput& input) {
   if (const Metric* metric = find_metric(input.plan, MetricName::phi))
     text += fmt::format(" ⟨phi⟩: exact {} of all particles inside the sub-box (inset {} %).", two ? "area" : "volume",
                         canonical_number(100 * metric->inset));
+  if (any_has(input.groups, "phi_box"))
+    text += " ⟨phi_box⟩: the same of the whole box, where it is periodic on all sides.";
   text +=
       " ⟨overlap_max⟩: deepest overlap of two particles, or of one with a wall, relative to the smaller radius, in the "
       "worst replicate. ⟨stable_alone⟩: share of the particles in equilibrium under their weight with their "
@@ -68,6 +81,8 @@ Note columns_note(const NotesInput& input) {
   if (const Metric* metric = find_metric(input.plan, MetricName::coordination))
     text +=
         fmt::format(" A contact is a gap of at most {} of the smaller radius.", canonical_number(metric->contact_gap));
+  if (!two)
+    text += oracle_sentence();
   return {"Columns", text};
 }
 

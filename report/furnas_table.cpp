@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <set>
@@ -17,6 +18,7 @@ struct Shown {
   const char* title;
 };
 constexpr std::array kShown = {Shown{Quantity{"phi"}, "packing fraction ⟨phi⟩"},
+                               Shown{Quantity{"phi_box"}, "packing fraction ⟨phi_box⟩ of the whole periodic box"},
                                Shown{Quantity{"phi_paper"}, "packing fraction ⟨phi_paper⟩ by the paper's estimator"},
                                Shown{Quantity{"X_L"}, "share ⟨X_L⟩ of the large spheres as reached"}};
 
@@ -80,8 +82,12 @@ Table furnas_table(std::span<const RunGroup> groups) {
   table.caption = "Binary mixtures in the Furnas plane: packing fraction and composition over the share of the large "
                   "spheres and the size ratio.";
   for (const std::string& label : labels) {
-    for (const Shown& shown : kShown)
-      table.panels.push_back(plane(label, shown, planes[label]));
+    const bool whole = std::any_of(planes[label].begin(), planes[label].end(),
+                                   [](const auto& place) { return summarize_measure(*place.second, "phi_box").n > 0; });
+    for (const Shown& shown : kShown) {
+      if (whole || shown.quantity.symbol != "phi_box")
+        table.panels.push_back(plane(label, shown, planes[label]));
+    }
   }
   if (!labels.empty())
     table.notes = own_notes();

@@ -39,13 +39,16 @@ std::string html_cell(const Cell& cell, const Column& column) {
   if (!cell.keys.empty() && !cell.empty()) {
     out += fmt::format(" data-q=\"{}\" data-k=\"{}\" tabindex=\"0\" role=\"button\"", html_text(column.quantity),
                        fmt::join(cell.keys, " "));
+    if (!cell.run_values.empty())
+      out += fmt::format(" data-r=\"{}\"", fmt::join(cell.run_values, " "));
   }
   return out + ">" + marked_cell(cell, html) + "</td>";
 }
 
 std::string html_panel(const Panel& panel) {
   const bool flat = panel.one_line_groups();
-  std::string out = "<h3>" + html(panel.title) + "</h3>\n<div class=\"wide\"><table>\n<thead><tr><th>Method</th>";
+  std::string out =
+      "<h3>" + html(panel.title) + "</h3>\n<div class=\"wide\"><table>\n<thead><tr><th>" + html(panel.rows) + "</th>";
   if (!flat)
     out += "<th></th>";
   for (const Column& column : panel.columns) {

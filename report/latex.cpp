@@ -1,7 +1,6 @@
-// Writes tables in LaTeX with booktabs rules.
+// Writes tables in LaTeX with booktabs rules; numbers are siunitx's.
 #include "report/latex.h"
 
-#include "report/number.h"
 #include "report/symbols.h"
 
 #include <fmt/format.h>
@@ -74,30 +73,25 @@ std::string latex(std::string_view text) {
   return render_text(text, latex_text, [](const Symbol& symbol) { return std::string(symbol.latex); });
 }
 
-std::string digits(std::string_view number) {
-  return grouped(number, "\\,");
-}
-
 std::string latex_cell(const Cell& cell) {
   if (cell.empty())
     return "--";
   if (!cell.word.empty())
     return latex(cell.word);
   const CellText text = show(cell);
-  std::string math = digits(text.value);
-  if (text.exponent)
-    math += fmt::format(" \\cdot 10^{{{}}}", *text.exponent);
+  std::string number = text.value;
   if (!text.spread.empty())
-    math += " \\pm " + digits(text.spread);
-  if (cell.doubtful)
-    math = "(" + math + ")";
+    number += " +- " + text.spread;
+  if (text.exponent)
+    number += fmt::format("e{}", *text.exponent);
+  const bool unit = !text.unit.empty() && text.unit != "x";
+  std::string out = unit ? fmt::format("\\qty{{{}}}{{{}}}", number, text.unit) : fmt::format("\\num{{{}}}", number);
   if (text.unit == "x")
-    return fmt::format("${}\\times$", math);
-  std::string out = "$" + math + "$";
-  if (!text.unit.empty())
-    out += "\\," + text.unit;
+    out += "$\\times$";
+  if (cell.doubtful)
+    out = "(" + out + ")";
   if (!text.relative.empty())
-    out += fmt::format(" ($ {}\\,\\%$)", text.relative);
+    out += fmt::format(" (\\qty{{{}}}{{\\percent}})", text.relative);
   return out;
 }
 
@@ -116,7 +110,7 @@ constexpr std::string_view kShrink = "\\resizebox{\\ifdim\\width>\\linewidth\\li
 std::string latex_panel(const Panel& panel) {
   const bool flat = panel.one_line_groups();
   std::string out = fmt::format("{}\\\\[2pt]\n{}\\begin{{tabular}}{{l{}}}\n\\toprule\n{}", latex(panel.title), kShrink,
-                                std::string(panel.columns.size(), 'r'), flat ? "Method" : "");
+                                std::string(panel.columns.size(), 'r'), flat ? latex(panel.rows) : "");
   for (const Column& column : panel.columns)
     out += " & " + latex_heading(column);
   out += " \\\\\n\\midrule\n";
@@ -149,6 +143,10 @@ std::size_t rows_of(const Panel& panel) {
   return rows;
 }
 
+/// How siunitx is to print numbers: the same digits as in the other formats.
+constexpr std::string_view kNumbers =
+    "\\sisetup{separate-uncertainty,retain-explicit-plus,group-digits=integer,exponent-product=\\cdot}\n";
+
 std::string open_float() {
   return "\\begin{table}[!htbp]\n\\centering\\footnotesize\n\\setlength{\\tabcolsep}{4pt}\n";
 }
@@ -178,7 +176,9 @@ std::string latex_text(std::string_view text) {
 }
 
 std::string latex_fragment(const Table& table) {
-  std::string out = "% A table of tamp; needs \\usepackage{booktabs,graphicx}.\n" + open_float();
+  std::string out =
+      fmt::format("% A table of tamp; needs \\usepackage{{booktabs,graphicx,siunitx}} and\n% {}", kNumbers) +
+      open_float();
   out += fmt::format("\\caption{{{}}}\n\\label{{tab:{}}}\n\\medskip\n", latex(table.caption), table.name);
   std::size_t rows = 0;
   const auto next_page = [&] {
@@ -200,12 +200,20 @@ std::string latex_fragment(const Table& table) {
   return out + "\\end{minipage}\n\\end{table}\n";
 }
 
-std::string latex_document(std::string_view title, std::span<const Table> tables) {
+std::string latex_document(std::string_view title, std::span<const Table> tables,
+                           std::span<const FigureMention> figures) {
   std::string out = "\\documentclass[a4paper,10pt]{article}\n\\usepackage[utf8]{inputenc}\n\\usepackage[T1]{fontenc}\n"
-                    "\\usepackage{booktabs,graphicx}\n\\usepackage[margin=15mm]{geometry}\n\\begin{document}\n";
+                    "\\usepackage{booktabs,graphicx,siunitx}\n\\usepackage[margin=15mm]{geometry}\n";
+  out += kNumbers;
+  out += "\\begin{document}\n";
   out += fmt::format("\\section*{{{}}}\n", latex(title));
   for (const Table& table : tables)
     out += fmt::format("\\input{{{}.tex}}\n\\clearpage\n", table.name);
+  for (const FigureMention& figure : figures) { // a page each: LaTeX holds but few floats at a time
+    out += fmt::format("\\begin{{figure}}[!htbp]\n\\centering\n{}\\includegraphics{{{}.pdf}}}}\n\\caption{{{}}}\n"
+                       "\\end{{figure}}\n\\clearpage\n",
+                       kShrink, figure.name, latex(figure.caption));
+  }
   return out + "\\end{document}\n";
 }
 

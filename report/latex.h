@@ -17,7 +17,8 @@ std::string latex_text(std::string_view text);
 /// float of the same number; a panel wider than the text shrinks. Needs the packages booktabs and graphicx.
 std::string latex_fragment(const Table& table);
 
-/// A document for A4 that inputs the fragment NAME.tex of each table.
-std::string latex_document(std::string_view title, std::span<const Table> tables);
+/// A document for A4 that inputs the fragment NAME.tex of each table and includes NAME.pdf of each figure.
+std::string latex_document(std::string_view title, std::span<const Table> tables,
+                           std::span<const FigureMention> figures = {});
 
 } // namespace tamp

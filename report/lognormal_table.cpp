@@ -2,6 +2,7 @@
 #include "report/lognormal_table.h"
 
 #include "report/cells.h"
+#include "report/density_oracle.h"
 #include "report/quantities.h"
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <vector>
 
 namespace tamp {
 
@@ -29,17 +31,21 @@ bool has_equal_edges(const Scene& scene) {
 
 struct Columns {
   std::array<Quantity, 5> compared; ///< N_part, H_N, H_S or H_V, phi_paper, N_PB; time stands last
-  std::array<Quantity, 7> own;
+  std::vector<Quantity> own;
 };
 
-Columns columns_of(int dimension) {
+/// `whole`: whether there are packing fractions of whole boxes.
+Columns columns_of(int dimension, bool whole) {
   const bool two = dimension == 2;
-  return {{Quantity{"N_part", CellStyle::fixed, 0}, Quantity{"H_N"}, Quantity{two ? "H_S" : "H_V"},
-           Quantity{"phi_paper"}, Quantity{"N_PB", CellStyle::fixed, 0}},
-          {Quantity{"phi"}, Quantity{"bins", CellStyle::fixed, 0, Statistic::largest}, Quantity{"H_N_floor"},
-           Quantity{two ? "H_S_floor" : "H_V_floor"},
-           Quantity{"overlap_max", CellStyle::scientific, 0, Statistic::largest},
-           Quantity{"stable_alone", CellStyle::share, 0, Statistic::smallest}, Quantity{"z", CellStyle::fixed, 3}}};
+  Columns columns{
+      {Quantity{"N_part", CellStyle::fixed, 0}, Quantity{"H_N"}, Quantity{two ? "H_S" : "H_V"}, Quantity{"phi_paper"},
+       Quantity{"N_PB", CellStyle::fixed, 0}},
+      {Quantity{"phi"}, Quantity{"bins", CellStyle::fixed, 0, Statistic::largest}, Quantity{"H_N_floor"},
+       Quantity{two ? "H_S_floor" : "H_V_floor"}, Quantity{"overlap_max", CellStyle::scientific, 0, Statistic::largest},
+       Quantity{"stable_alone", CellStyle::share, 0, Statistic::smallest}, Quantity{"z", CellStyle::fixed, 3}}};
+  if (whole)
+    columns.own.insert(columns.own.begin() + 1, Quantity{"phi_box"});
+  return columns;
 }
 
 /// In the order of Columns::compared.
@@ -58,13 +64,19 @@ Group compared_group(const RunGroup& runs, const PaperTable& paper, const Column
   for (const Quantity& quantity : columns.compared)
     run.cells.push_back(quantity_cell(runs, quantity));
   run.cells.push_back(run_time);
+  const std::string others = other_outcomes(runs);
+  if (runs.ok_count() == 0)
+    run.cells[1] = word_cell(others);
 
-  Group group{runs.heading, fmt::format("n = {}", runs.ok_count()), {run}};
+  Group group{runs.heading, fmt::format("n = {}", runs.ok_count()) + start_remark(runs), {run}};
+  if (runs.ok_count() > 0 && !others.empty())
+    group.remark += "; other runs: " + others;
   const Likeness like = likeness(scene, paper);
-  const PaperRow* row = paper.find(runs.label);
+  const PaperRow* row = paper.find(runs.job().method);
   if (!row || like == Likeness::other_powder)
     return group;
 
+  group.remark += protocol_remark(runs);
   const auto printed = paper_cells(*row);
   Cell paper_time = time_cell(row->time_s.value);
   paper_time.decimals = row->time_s.decimals;
@@ -78,16 +90,21 @@ Group compared_group(const RunGroup& runs, const PaperTable& paper, const Column
         comparable ? difference_cell(run.cells[i + 1], printed[i], symbol == "N_part" || symbol == "N_PB") : Cell{});
   }
   reference.cells.push_back(paper_time);
-  difference.cells.push_back(like == Likeness::same ? speed_cell(run_time, paper_time) : Cell{});
+  difference.cells.push_back(like == Likeness::same ? speed_cell(time_cell(way_time(runs)), paper_time) : Cell{});
   group.lines.push_back(reference);
-  group.lines.push_back(difference);
+  if (runs.ok_count() > 0)
+    group.lines.push_back(difference);
   return group;
 }
 
-Group own_group(const RunGroup& runs, const Columns& columns) {
+Group own_group(const RunGroup& runs, const Columns& columns, DensityOracle& oracle) {
   Group::Line line;
   for (const Quantity& quantity : columns.own)
     line.cells.push_back(quantity_cell(runs, quantity));
+  if (runs.job().scene.dimension == 3) {
+    const auto cells = oracle_cells(runs, oracle);
+    line.cells.insert(line.cells.end(), cells.begin(), cells.end());
+  }
   return {runs.heading, {}, {line}};
 }
 
@@ -116,7 +133,7 @@ std::vector<RunGroup> lognormal_groups(std::span<const Run> runs, const PaperTab
 }
 
 Table lognormal_table(std::span<const RunGroup> groups, const PaperTable& paper) {
-  const Columns columns = columns_of(paper.dimension);
+  const Columns columns = columns_of(paper.dimension, any_has(groups, "phi_box"));
   Panel compared{"(a) The paper's columns", {{"X", "µm", ""}}, {}};
   Panel own{"(b) What else was measured on the same packings", {}, {}};
   for (const Quantity& quantity : columns.compared)
@@ -124,11 +141,17 @@ Table lognormal_table(std::span<const RunGroup> groups, const PaperTable& paper)
   compared.columns.push_back({"time", "", ""});
   for (const Quantity& quantity : columns.own)
     own.columns.push_back(heading(quantity));
+  if (paper.dimension == 3) {
+    const auto columns_of_oracle = oracle_columns();
+    own.columns.insert(own.columns.end(), columns_of_oracle.begin(), columns_of_oracle.end());
+  }
+  DensityOracle oracle;
   for (const RunGroup& group : groups) {
-    if (group.ok_count() == 0)
-      continue;
-    compared.groups.push_back(compared_group(group, paper, columns));
-    own.groups.push_back(own_group(group, columns));
+    const bool ok = group.ok_count() > 0;
+    if (ok || !other_outcomes(group).empty())
+      compared.groups.push_back(compared_group(group, paper, columns));
+    if (ok)
+      own.groups.push_back(own_group(group, columns, oracle));
   }
 
   Table table;
@@ -137,7 +160,9 @@ Table lognormal_table(std::span<const RunGroup> groups, const PaperTable& paper)
                               "labelled {}.",
                               paper.dimension, paper.label);
   if (!compared.groups.empty())
-    table.panels = {compared, own};
+    table.panels.push_back(std::move(compared));
+  if (!own.groups.empty())
+    table.panels.push_back(std::move(own));
   return table;
 }
 

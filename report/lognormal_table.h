@@ -18,7 +18,8 @@ Likeness likeness(const Scene& scene, const PaperTable& paper);
 std::vector<RunGroup> lognormal_groups(std::span<const Run> runs, const PaperTable& paper);
 
 /// Two panels: the paper's columns with lines "this run", "paper", "difference" (of times: the paper's time divided by
-/// this run's), and what the paper does not print. Groups without an ok run have no row. Notes are not filled in.
+/// this run's), and what the paper does not print. A group in which no run ended ok shows how its runs ended in the
+/// place of N; one that has not run has no row. Notes are not filled in.
 Table lognormal_table(std::span<const RunGroup> groups, const PaperTable& paper);
 
 } // namespace tamp

@@ -16,7 +16,7 @@ std::string markdown(std::string_view text) {
 
 std::string markdown_panel(const Panel& panel) {
   const bool flat = panel.one_line_groups();
-  std::string out = "**" + markdown(panel.title) + "**\n\n| Method |" + (flat ? "" : " |");
+  std::string out = "**" + markdown(panel.title) + "**\n\n| " + markdown(panel.rows) + " |" + (flat ? "" : " |");
   std::string rule = flat ? "|:--|" : "|:--|:--|";
   for (const Column& column : panel.columns) {
     out += " " + markdown("⟨" + column.quantity + "⟩");
@@ -64,10 +64,17 @@ std::string markdown_table(const Table& table) {
   return out;
 }
 
-std::string markdown_page(std::string_view title, std::string_view opening, std::span<const Table> tables) {
+std::string markdown_page(std::string_view title, std::string_view opening, std::span<const Table> tables,
+                          std::span<const FigureMention> figures, std::span<const std::string> missing) {
   std::string out = fmt::format("# {}\n\n{}\n", markdown(title), markdown(opening));
+  for (const std::string& sentence : missing)
+    out += fmt::format("\n{}\n", markdown_text(sentence));
   for (const Table& table : tables)
     out += "\n" + markdown_table(table);
+  if (!figures.empty())
+    out += "\n## Figures\n";
+  for (const FigureMention& figure : figures)
+    out += fmt::format("\n![{0}]({0}.svg)\n\n{1}\n", figure.name, markdown(figure.caption));
   return out;
 }
 

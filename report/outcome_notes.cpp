@@ -47,10 +47,18 @@ std::vector<Note> outcome_notes(const NotesInput& input) {
   std::map<Outcome, List> ended; // generation jobs
   List metrics_ended;
   List missing;
+  List impossible;
+  bool limited = false;
   List metrics_missing;
   for (const RunGroup& group : input.groups) {
     for (const Run& run : group.runs) {
       const std::string who = replicate_name(group, run);
+      if (const Ancestor* barrier = run.barrier(); !run.generation && barrier != nullptr) {
+        impossible.add(fmt::format("{} ({}): {} ({}) ended {}", who, short_key(run.planned.key), barrier->label,
+                                   short_key(barrier->key), name_of(*barrier->outcome)));
+        limited = limited || *barrier->outcome == Outcome::time_limited || *barrier->outcome == Outcome::memory_limited;
+        continue;
+      }
       if (!run.generation) {
         missing.add(fmt::format("{} ({})", who, short_key(run.planned.key)));
         continue;
@@ -80,6 +88,11 @@ std::vector<Note> outcome_notes(const NotesInput& input) {
   }
   if (metrics_ended.count() > 0)
     notes.push_back({counted(metrics_ended.count(), "metric") + " did not end ok", metrics_ended.text() + "."});
+  if (impossible.count() > 0) {
+    notes.push_back({counted(impossible.count(), "job") + " not possible",
+                     "The packings to start from were not made: " + impossible.text() + "." +
+                         (limited ? " With a raised budget: " + input.command + " --retry-limited" : "")});
+  }
   if (missing.count() + metrics_missing.count() > 0) {
     std::string text =
         fmt::format("No record of {} and of {} on recorded packings.", counted(missing.count(), "generation job"),

@@ -1,22 +1,27 @@
 // Puts the page together.
 #include "report/page.h"
 
-#include "engine/base/canonical_json.h"
 #include "report/html.h"
-#include "report/page_script.h"
-#include "report/page_style.h"
+#include "report/page_assets.h"
+#include "report/page_packings.h"
 #include "report/provenance_json.h"
 
 #include <fmt/format.h>
+
+#include <regex>
 
 namespace tamp {
 
 namespace {
 
-/// An SVG without what may not stand inside a page: the XML declaration and the document type.
+/// An SVG without what may not stand inside a page: the XML declaration, the document type, identifiers of others.
 std::string inline_svg(const PageFigure& figure) {
   const std::size_t start = figure.svg.find("<svg");
-  return start == std::string::npos ? std::string() : figure.svg.substr(start);
+  if (start == std::string::npos)
+    return {};
+  // gnuplot numbers the parts of every figure from 1 on, and a page may have an identifier but once.
+  static const std::regex named(R"re(( id=["']|href=["']#|url\(#))re");
+  return std::regex_replace(figure.svg.substr(start), named, "$1" + figure.name + "-");
 }
 
 std::string figure_block(const PageFigure& figure) {
@@ -26,33 +31,35 @@ std::string figure_block(const PageFigure& figure) {
                      name, inline_svg(figure), html_text(figure.caption));
 }
 
-std::string contents(std::span<const Table> tables, bool figures) {
+std::string contents(std::span<const Table> tables, bool packings, bool figures) {
   std::string out = "<nav>";
   for (const Table& table : tables)
     out += fmt::format("<a href=\"#{0}\">{0}</a>", html_text(table.name));
+  if (packings)
+    out += "<a href=\"#packings\">packings</a>";
   return out + (figures ? "<a href=\"#figures\">figures</a></nav>\n" : "</nav>\n");
 }
 
 std::string state_of(const ReportInput& input) {
   std::size_t ok = 0;
   std::size_t missing = 0;
+  std::size_t impossible = 0;
   for (const Run& run : input.runs) {
     ok += run.ok() ? 1U : 0U;
-    missing += run.generation ? 0U : 1U;
+    const bool barred = run.barrier() != nullptr;
+    missing += run.generation || barred ? 0U : 1U;
+    impossible += !run.generation && barred ? 1U : 0U;
   }
   std::string text = fmt::format("<p>{} packings asked for, {} made, {} ended otherwise, {} not yet run.",
-                                 input.runs.size(), ok, input.runs.size() - ok - missing, missing);
+                                 input.runs.size(), ok, input.runs.size() - ok - missing - impossible, missing);
   if (missing > 0)
     text += " To run what is missing: <code>" + html_text(input.command) + "</code>.";
+  if (impossible > 0)
+    text +=
+        fmt::format(" {} not possible, as the packings they start from ended otherwise: the notes of the tables say "
+                    "which.",
+                    impossible);
   return text + " Underlined numbers tell which runs they come from; headings sort.</p>\n";
-}
-
-/// A canonical JSON string that may stand inside a <script> element.
-std::string script_string(std::string_view words) {
-  std::string out;
-  for (const char c : canonical_string(words))
-    out += c == '<' ? std::string("\\u003c") : std::string(1, c);
-  return out;
 }
 
 } // namespace
@@ -68,7 +75,8 @@ std::string html_page(const ReportInput& input, std::span<const Table> tables, s
   out += state_of(input);
   for (const std::string& sentence : missing)
     out += "<p>" + html_text(sentence) + "</p>\n";
-  out += contents(tables, !figures.empty());
+  const std::string packings = packings_section(input);
+  out += contents(tables, !packings.empty(), !figures.empty());
   for (const Table& table : tables)
     out += html_table(table);
   if (!figures.empty()) {
@@ -77,11 +85,12 @@ std::string html_page(const ReportInput& input, std::span<const Table> tables, s
       out += figure_block(figure);
     out += "</div>\n</section>\n";
   }
+  out += packings;
   out += "<dialog><button>Close</button><div></div></dialog>\n";
   out += fmt::format("<script type=\"application/json\" id=\"page\">{{\"command\":{},\"store\":{}}}</script>\n",
                      script_string(input.command), script_string(input.store));
   out += fmt::format("<script type=\"application/json\" id=\"runs\">{}</script>\n", provenance_json(input.runs));
-  return out + fmt::format("<script>{}</script>\n</body>\n</html>\n", kPageScript);
+  return out + fmt::format("<script>'use strict';\n{}</script>\n</body>\n</html>\n", kPageScript);
 }
 
 } // namespace tamp

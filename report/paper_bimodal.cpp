@@ -37,14 +37,16 @@ std::span<const PaperBimodalRow> paper_bimodal_rows() {
   return kRows;
 }
 
-const PaperBimodalRow* find_paper_bimodal(std::string_view label, double size_ratio) {
-  const PaperMethod* ours = paper_method(label);
-  const std::string_view method = ours ? ours->bimodal : label;
+const PaperBimodalRow* find_paper_bimodal(std::string_view paper_name, double size_ratio) {
   for (const PaperBimodalRow& row : kRows) {
-    if (row.method == method && row.size_ratio == size_ratio)
+    if (row.method == paper_name && row.size_ratio == size_ratio)
       return &row;
   }
   return nullptr;
+}
+
+const PaperBimodalRow* find_paper_bimodal(const Method& method, double size_ratio) {
+  return find_paper_bimodal(paper_method(method).bimodal, size_ratio);
 }
 
 } // namespace tamp

@@ -30,7 +30,8 @@ struct PaperBimodalRow {
 
 std::span<const PaperBimodalRow> paper_bimodal_rows();
 
-/// The row of a method label of ours; nullptr if the paper has none.
-const PaperBimodalRow* find_paper_bimodal(std::string_view label, double size_ratio);
+/// The row of that name in the paper, and that which packings of a method stand beside; nullptr if the paper has none.
+const PaperBimodalRow* find_paper_bimodal(std::string_view paper_name, double size_ratio);
+const PaperBimodalRow* find_paper_bimodal(const Method& method, double size_ratio);
 
 } // namespace tamp

@@ -32,12 +32,6 @@ constexpr std::array kLognormal3d = {
 };
 // clang-format on
 
-constexpr std::array kPaperMethods = {
-    PaperMethod{"dem-isostatic NANF", "dp3D_NANF", "dp3D"},
-    PaperMethod{"dem-gravity NANF", "LAMMPS_NANF", "LAMMPS"},
-    PaperMethod{"dem-gravity Lee2018", "LAMMPS_Lee2018", ""},
-};
-
 // The law's parameters as the identities of the lognormal law say they must be meant: the paper's Table 1 has its
 // columns permuted (exp(0.30 + 0.68^2/2) = 1.70, its mean; 1.70 sqrt(exp(0.68^2) - 1) = 1.30, its standard deviation).
 constexpr std::array kPaperTables = {
@@ -47,19 +41,50 @@ constexpr std::array kPaperTables = {
 
 } // namespace
 
-const PaperMethod* paper_method(std::string_view label) {
-  for (const PaperMethod& method : kPaperMethods) {
-    if (method.label == label)
-      return &method;
+PaperMethod paper_method(const Method& method) {
+  const bool friction = method.material.friction > 0;
+  const bool adhesion = method.material.adhesion > 0;
+  switch (method.name) {
+  case MethodName::drop_and_roll:
+    return {"D&R", "D&R"};
+  case MethodName::drop_and_roll_me:
+    return {"D&R-ME", ""};
+  case MethodName::dem_gravity:
+  case MethodName::lammps_gravity:
+    if (adhesion && !friction)
+      return {};
+    return friction ? PaperMethod{"LAMMPS_Lee2018", ""} : PaperMethod{"LAMMPS_NANF", "LAMMPS"};
+  case MethodName::dem_isostatic:
+    if (friction != adhesion || stated(method.dem_isostatic.target_phi)) // the paper's are jammed
+      return {};
+    return friction ? PaperMethod{"dp3D_Lee2018", ""} : PaperMethod{"dp3D_NANF", "dp3D"};
+  case MethodName::lammps_isostatic:
+  case MethodName::lattice:
+    break;
   }
-  return nullptr;
+  return {};
 }
 
-const PaperRow* PaperTable::find(std::string_view our_label) const {
-  const PaperMethod* ours = paper_method(our_label);
-  const std::string_view method = ours ? ours->lognormal : our_label;
+std::string other_protocol(const Method& method) {
+  std::string words;
+  const auto add = [&](bool differs, const std::string& what) {
+    if (differs)
+      words += (words.empty() ? "" : ", ") + what;
+  };
+  if (method.name == MethodName::drop_and_roll) {
+    const DropAndRoll& ours = method.drop_and_roll;
+    constexpr DropAndRoll kPaper; // the defaults are the paper's
+    add(ours.on_failure != kPaper.on_failure, fmt::format("on_failure {}", name_of(ours.on_failure)));
+    add(ours.lid != kPaper.lid, "no lid");
+    add(ours.max_failures != kPaper.max_failures, fmt::format("max_failures {}", ours.max_failures));
+  }
+  add(method.hard, "widened until nothing overlaps");
+  return words;
+}
+
+const PaperRow* PaperTable::find(std::string_view paper_name) const {
   for (const PaperRow& row : rows) {
-    if (row.method == method)
+    if (row.method == paper_name)
       return &row;
   }
   return nullptr;

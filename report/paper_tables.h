@@ -1,8 +1,11 @@
 // The figures of the paper's tables, as printed, for the columns that tamp's own figures stand beside.
 #pragma once
 
+#include "engine/model/method.h"
+
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace tamp {
@@ -15,16 +18,20 @@ inline constexpr std::string_view kPaperCitation =
 /// The machine of the paper's times: one core, jobs one after the other.
 inline constexpr std::string_view kPaperMachine = "Intel Core Ultra 7 155H";
 
-/// A label of our campaigns for a discrete element method, and what the paper calls such packings in its tables of the
-/// lognormal powder and of binary mixtures (empty: not there). NANF: no adhesion, no friction.
+/// What the paper calls packings of a method in its tables of the lognormal powder and of binary mixtures (empty: not
+/// there). NANF: no adhesion, no friction.
 struct PaperMethod {
-  std::string_view label;
   std::string_view lognormal;
   std::string_view bimodal;
 };
 
-/// nullptr for any other label: the paper then may have the label itself.
-const PaperMethod* paper_method(std::string_view label);
+/// By what runs, its name and the contact effects that its material calls for, whatever a campaign calls it. Under
+/// gravity Lee2018 is friction (campaigns/lognormal-3d.json says why), in compression friction and adhesion. Both names
+/// are empty where the paper has no such packings or it cannot be told.
+PaperMethod paper_method(const Method& method);
+
+/// What the method does otherwise than the paper's of that name, in words: "on_failure keep"; empty if nothing.
+std::string other_protocol(const Method& method);
 
 /// A number with the digits after the point with which the paper prints it.
 struct Printed {
@@ -56,8 +63,10 @@ struct PaperTable {
   double r_max_um;
   std::span<const PaperRow> rows;
 
-  /// The row of a method label of ours; nullptr if the paper has none.
-  [[nodiscard]] const PaperRow* find(std::string_view our_label) const;
+  /// The row of that name in the paper; nullptr if there is none.
+  [[nodiscard]] const PaperRow* find(std::string_view paper_name) const;
+  /// The row that packings of the method stand beside; nullptr if the paper has none.
+  [[nodiscard]] const PaperRow* find(const Method& method) const { return find(paper_method(method).lognormal); }
 };
 
 std::span<const PaperTable> paper_tables();

@@ -11,7 +11,7 @@ namespace {
 
 bool any_ok(const NotesInput& input, bool (*holds)(const Job& job, const PaperTable& paper)) {
   return std::any_of(input.groups.begin(), input.groups.end(), [&](const RunGroup& group) {
-    return group.ok_count() > 0 && input.lognormal->find(group.label) && holds(group.job(), *input.lognormal);
+    return group.ok_count() > 0 && input.lognormal->find(group.job().method) && holds(group.job(), *input.lognormal);
   });
 }
 

@@ -5,8 +5,12 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace tamp {
+
+/// A canonical JSON string without "<", which could end the <script> element that it stands in.
+std::string script_string(std::string_view words);
 
 /// {"KEY":{"method","seed","replicate","parent","job" (canonical JSON, as text),"outcome","reason","commit","dirty",
 /// "host","cpu","compiler","start","mode","wall","measures":{name:value},"metrics":{metric:key}}}, in the order of the

@@ -6,6 +6,7 @@
 #include "report/table.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,16 @@ struct Quantity {
 /// The statistics of a measure over the ok runs of the group that have it.
 Summary summarize_measure(const RunGroup& group, std::string_view measure);
 
+/// The same of what a Hellinger distance ("H_N") has above its sampling floor, which falls with the number of spheres.
+Summary summarize_excess(const RunGroup& group, const std::string& distance);
+
+/// Whether any of the groups has the measure.
+bool any_has(std::span<const RunGroup> groups, std::string_view measure);
+
+/// Whether the method makes packings that are periodic on all sides, whatever the scene's sides: it presses them from
+/// there, so that its box is not the scene's, either.
+bool is_periodic_all_round(const Method& method);
+
 /// The keys of the ok runs of a group.
 std::vector<std::string> ok_keys(const RunGroup& group);
 
@@ -37,8 +48,16 @@ Cell quantity_cell(const RunGroup& group, const Quantity& quantity);
 struct GroupTime {
   Summary seconds;
   TimingMode mode = TimingMode::shared;
-  std::vector<std::string> keys; ///< of the runs that count
+  std::optional<Interval> interval;  ///< of the median; see median_interval
+  std::vector<std::string> keys;     ///< of the runs that count
+  std::size_t disturbed = 0;         ///< of the mode, but left out, as something else was on the core meanwhile
+  std::size_t samples = 0;           ///< of the runs that count and were timed several times each, all together
+  std::size_t disturbed_samples = 0; ///< of these, left out in the same way
 };
 GroupTime group_time(const RunGroup& group);
+
+/// The same with the times of the jobs whose packings the runs start from; what of them was not timed in that mode is
+/// left out.
+GroupTime way_time(const RunGroup& group);
 
 } // namespace tamp

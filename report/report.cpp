@@ -10,15 +10,19 @@
 #include "report/domain_size_table.h"
 #include "report/latex.h"
 #include "report/lognormal_table.h"
+#include "report/manifest.h"
 #include "report/markdown.h"
 #include "report/notes.h"
 #include "report/page.h"
+#include "report/powders_table.h"
 #include "store/store.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <set>
 
 namespace tamp {
 
@@ -63,14 +67,18 @@ MadeTable make_domain_size(const ReportInput& input, std::string_view) {
   return finish(input, domain_size_table(families), groups, "powder");
 }
 
+MadeTable make_powders(const ReportInput& input, std::string_view) {
+  return {powders_table(input.runs), records_csv({})};
+}
+
 struct Maker {
   std::string_view name;
   MadeTable (*make)(const ReportInput& input, std::string_view name);
 };
 
 constexpr std::array kMakers = {
-    Maker{"lognormal_2d", make_lognormal}, Maker{"lognormal_3d", make_lognormal},  Maker{"bimodal_3d", make_bimodal},
-    Maker{"furnas", make_furnas},          Maker{"domain_size", make_domain_size},
+    Maker{"powders", make_powders},    Maker{"lognormal_2d", make_lognormal}, Maker{"lognormal_3d", make_lognormal},
+    Maker{"bimodal_3d", make_bimodal}, Maker{"furnas", make_furnas},          Maker{"domain_size", make_domain_size},
 };
 
 constexpr bool every_table_has_a_maker() {
@@ -95,6 +103,19 @@ MadeTable make_table(const ReportInput& input, const std::string& name) {
   throw InputError(fmt::format("no report table is called \"{}\"; known: {}", name, known_tables()));
 }
 
+void require_tables(const Plan& plan) {
+  if (plan.report.tables.empty())
+    throw InputError(fmt::format("{}: report/tables asks for no table; known: {}", plan.file, known_tables()));
+}
+
+/// That runs the jobs which are missing.
+std::string run_command(const Plan& plan, const Store& store) {
+  std::string command = "tamp run " + plan.file;
+  if (store.folder() != "tamp-store") // the default of every command
+    command += " --store " + store.folder().string();
+  return command;
+}
+
 std::string opening(const Plan& plan, std::span<const Table> tables) {
   std::string text = fmt::format("Tables of the campaign {}, file {}.", plan.campaign, plan.file);
   text += " As LaTeX: tables.tex, which inputs";
@@ -103,15 +124,60 @@ std::string opening(const Plan& plan, std::span<const Table> tables) {
   return text + ". As numbers with all digits: the CSV files of the same names.";
 }
 
+/// Packings that could not be read, each once, and why the first.
+struct Unreadable {
+  std::set<std::string> keys;
+  std::string why;
+
+  /// The same reader, whose failures are noted here.
+  ReadPacking noting(ReadPacking read) {
+    if (!read)
+      return read;
+    return [this, read = std::move(read)](const std::string& key) {
+      try {
+        return read(key);
+      } catch (const Error& error) {
+        if (keys.insert(key).second && why.empty())
+          why = error.what();
+        throw;
+      }
+    };
+  }
+
+  [[nodiscard]] std::string sentence(const std::string& command) const {
+    return fmt::format("{} packing{} that the records promise could not be read ({}), so neither figures nor page show "
+                       "{}. What is lost is made again by: {}; what is damaged is moved aside by tamp fsck first.",
+                       keys.size(), keys.size() == 1 ? "" : "s", why, keys.size() == 1 ? "it" : "them", command);
+  }
+};
+
 } // namespace
 
-std::vector<ReportFile> make_report(const ReportInput& input) {
+std::vector<Table> report_tables(const ReportInput& input) {
+  require_tables(input.plan);
+  std::vector<Table> tables;
+  if (Table decision = decision_table(input.runs, input.plan.report.phi_exp); !decision.panels.empty())
+    tables.push_back(std::move(decision));
+  for (const std::string& name : input.plan.report.tables)
+    tables.push_back(make_table(input, name).table);
+  return tables;
+}
+
+std::vector<ReportFile> make_report(const ReportInput& asked) {
+  Unreadable unreadable;
+  ReportInput input = asked;
+  input.packing = unreadable.noting(asked.packing);
+  input.figures.read_packing = unreadable.noting(asked.figures.read_packing);
   const Plan& plan = input.plan;
-  if (plan.report.tables.empty())
-    throw InputError(fmt::format("{}: report/tables asks for no table; known: {}", plan.file, known_tables()));
+  const auto tell = [&](std::string_view now) {
+    if (input.progress)
+      input.progress(now);
+  };
+  tell("tables");
+  require_tables(plan);
   std::vector<ReportFile> files;
   std::vector<Table> tables;
-  if (Table decision = decision_table(input.runs); !decision.panels.empty()) {
+  if (Table decision = decision_table(input.runs, input.plan.report.phi_exp); !decision.panels.empty()) {
     files.push_back({"decision.tex", latex_fragment(decision)});
     files.push_back({"decision.csv", csv_table(decision)});
     tables.push_back(std::move(decision));
@@ -124,29 +190,100 @@ std::vector<ReportFile> make_report(const ReportInput& input) {
     tables.push_back(table);
   }
   const std::string& title = plan.title.empty() ? plan.campaign : plan.title;
-  files.push_back({"tables.tex", latex_document(title, tables)});
-  files.push_back({"report.md", markdown_page(title, opening(plan, tables), tables)});
-  files.push_back({"index.html", html_page(input, tables, {}, {})});
+  tell("figures");
+  ReportFigures figures = make_figures(input.runs, input.command, input.figures);
+  std::vector<FigureMention> mentions;
+  std::vector<PageFigure> on_page;
+  for (const DrawnFigure& figure : figures.drawn) {
+    mentions.push_back({figure.name, figure.caption});
+    on_page.push_back({figure.name, figure.caption, figure.svg});
+  }
+  for (FigureFile& file : figures.files)
+    files.push_back({std::move(file.name), std::move(file.bytes)});
+  tell("page");
+  files.push_back({"tables.tex", latex_document(title, tables, mentions)});
+  files.push_back({"index.html", html_page(input, tables, on_page, figures.missing)});
+  if (!unreadable.why.empty())
+    figures.missing.push_back(figures.trouble.emplace_back(unreadable.sentence(input.command)));
+  files.push_back({"report.md", markdown_page(title, opening(plan, tables), tables, mentions, figures.missing)});
+  if (input.warn) {
+    for (const std::string& sentence : figures.trouble)
+      input.warn(sentence);
+  }
   return files;
 }
 
-std::vector<std::filesystem::path> write_report(const Plan& plan, const Store& store,
-                                                const std::filesystem::path& out) {
-  const std::vector<Run> runs = collect_runs(plan, [&](const std::string& key) { return store.find(key); });
-  std::string command = "tamp run " + plan.file;
-  if (store.folder() != "tamp-store") // the default of every command
-    command += " --store " + store.folder().string();
-  const std::vector<ReportFile> files = make_report({plan, runs, command, store.folder().string()});
+std::vector<Run> runs_in(const Store& store, const Plan& plan) {
+  return collect_runs(plan, [&](const std::string& key) { return store.find(key); });
+}
+
+std::string make_expectation(const Plan& plan, const Store& store, std::string_view version) {
+  const std::vector<Run> runs = runs_in(store, plan);
+  return expectation_csv(plan.campaign, version, runs, report_tables({plan, runs, run_command(plan, store)}));
+}
+
+ExpectationCheck check_report(const Plan& plan, const Store& store, std::span<const ExpectedCell> expected) {
+  const std::vector<Run> runs = runs_in(store, plan);
+  return check_expectation(expected, report_tables({plan, runs, run_command(plan, store)}));
+}
+
+namespace {
+
+/// Reads a store's packings, most of them once: figures and page show the same ones.
+class PackingReader {
+public:
+  explicit PackingReader(const Store& store) : store_(store) {}
+
+  Packing read(const std::string& key) {
+    if (const auto known = kept_.find(key); known != kept_.end())
+      return known->second;
+    Packing packing = store_.read_packing(key);
+    if (packing.count() <= room_) {
+      room_ -= packing.count();
+      kept_.emplace(key, packing);
+    }
+    return packing;
+  }
+
+private:
+  const Store& store_;
+  std::map<std::string, Packing> kept_;
+  std::size_t room_ = 3'000'000; ///< spheres that may still be kept, of 32 bytes each
+};
+
+} // namespace
+
+std::vector<std::filesystem::path> write_report(const Plan& plan, const Store& store, const std::filesystem::path& out,
+                                                ReportProgress progress, ReportWarning warn) {
+  if (progress)
+    progress("records");
+  const std::vector<Run> runs = runs_in(store, plan);
+  PackingReader packings(store);
+  const auto read_packing = [&](const std::string& key) { return packings.read(key); };
+  const std::vector<ReportFile> files = make_report({plan,
+                                                     runs,
+                                                     run_command(plan, store),
+                                                     store.folder().string(),
+                                                     read_packing,
+                                                     {true, read_packing},
+                                                     std::move(progress),
+                                                     std::move(warn)});
 
   std::error_code error;
   std::filesystem::create_directories(out, error);
   if (error)
     throw Error(fmt::format("{}: cannot make the folder: {}", out.string(), error.message()));
+  std::vector<std::string> names;
+  for (const ReportFile& file : files)
+    names.push_back(file.name);
+  const Manifest manifest(out);
+  manifest.announce(names);
   std::vector<std::filesystem::path> paths;
   for (const ReportFile& file : files) {
     paths.push_back(out / file.name);
     write_atomically(paths.back(), file.bytes);
   }
+  manifest.keep_only(names);
   return paths;
 }
 

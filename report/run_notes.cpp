@@ -1,5 +1,6 @@
 // Notes on times and on what was run; and all notes together.
 #include "engine/model/parameter.h"
+#include "report/cells.h"
 #include "report/notes.h"
 #include "report/quantities.h"
 
@@ -67,22 +68,35 @@ std::string parameters_in_words(std::span<const Parameter<Root>> table, const st
 std::string timing_in_words(const RunGroup& group, const GroupTime& time) {
   std::set<std::string> processors;
   for (const Run& run : group.runs) {
-    if (run.ok() && run.generation->timing.mode == time.mode)
+    if (run.ok() && run.generation->timing.counts_as(time.mode))
       processors.insert(run.generation->provenance.cpu_model);
   }
   std::string text =
       fmt::format("timing mode {} ({})", name_of(time.mode),
                   time.mode == TimingMode::exclusive ? "no other job of the store beside it, on one pinned thread"
                                                      : "other jobs ran beside it");
-  if (time.seconds.n < group.ok_count())
+  if (time.seconds.n + time.disturbed < group.ok_count())
     text +=
         fmt::format(", {} of the {} replicates, as the others ran in shared mode", time.seconds.n, group.ok_count());
+  if (time.samples > 0)
+    text += fmt::format(", each time the median of several runs in turn ({} in all, {} of them left out as disturbed)",
+                        time.samples, time.disturbed_samples);
+  if (time.disturbed > 0)
+    text += fmt::format(", {} disturbed times left out", time.disturbed);
   return text + fmt::format(", on {}", fmt::join(processors, " and "));
 }
 
+std::string duration_in_words(const GroupTime& time) {
+  const CellText shown = show(time_cell(time));
+  return shown.value + (shown.spread.empty() ? "" : " ± " + shown.spread) + " " + shown.unit;
+}
+
 Note time_note(const NotesInput& input) {
-  std::string text = "Wall-clock time of the generator alone, without starting the process, writing or measuring.";
+  std::string text =
+      "Wall-clock time of the generator alone, without starting the process, writing or measuring: median over the "
+      "replicates ± standard deviation.";
   std::vector<std::pair<std::string, std::vector<std::string>>> ways; // each with the groups timed in that way
+  std::string intervals;
   for (const RunGroup& group : input.groups) {
     const GroupTime time = group_time(group);
     if (time.seconds.n == 0)
@@ -92,11 +106,29 @@ Note time_note(const NotesInput& input) {
     if (place == ways.end())
       place = ways.insert(ways.end(), {way, {}});
     place->second.push_back(group.heading);
+    if (time.interval)
+      intervals += fmt::format("{}{} {:.3g} to {:.3g} s", intervals.empty() ? "" : "; ", group.heading,
+                               time.interval->low, time.interval->high);
   }
   for (const auto& [way, headings] : ways)
     text += fmt::format(" {}: {}.",
                         ways.size() == 1 && headings.size() > 1 ? "All" : fmt::format("{}", fmt::join(headings, "; ")),
                         way);
+  if (!intervals.empty())
+    text += fmt::format(" 95 % intervals of the medians (Student's t of the logarithms): {}.", intervals);
+  bool any_start = false;
+  for (const RunGroup& group : input.groups) {
+    const std::string start = group.start_in_words();
+    if (start.empty() || group.ok_count() == 0)
+      continue;
+    any_start = true;
+    const GroupTime whole = way_time(group);
+    text += fmt::format(" {} starts from packings of {}: ", group.heading, start) +
+            (whole.seconds.n == 0 ? "the time of the whole way is not known in this mode."
+                                  : fmt::format("with theirs {}.", duration_in_words(whole)));
+  }
+  if (any_start)
+    text += " Factors against the paper's time count the whole way.";
   if (input.lognormal)
     text += " " + paper_time_sentence();
   return {"Time", text};
@@ -129,6 +161,7 @@ Note runs_note(const NotesInput& input) {
     std::vector<const Method*> methods;
     std::vector<const Scene*> scenes;
     std::string effects;
+    std::string start;
     for (const RunGroup& group : input.groups) {
       if (group.label != label)
         continue;
@@ -136,13 +169,23 @@ Note runs_note(const NotesInput& input) {
       scenes.push_back(&group.job().scene);
       if (effects.empty())
         effects = effects_in_words(group);
+      if (start.empty() && !group.runs.front().way.empty())
+        start = fmt::format(", started from the packing of the same replicate of {}", group.start_in_words());
     }
-    text += fmt::format("{}{}: {} (revision {}); scene: {}{}.", text.empty() ? "" : " ", label,
-                        parameters_in_words(method_parameters(), methods), info(methods.front()->name).revision,
+    if (is_periodic_all_round(*methods.front()))
+      start +=
+          ", pressed in a box of its own that is periodic on all sides and not quite as large as the scene's, whose "
+          "edge the tables show";
+    text += fmt::format("{}{}: {} (revision {}){}; scene: {}{}.", text.empty() ? "" : " ", label,
+                        parameters_in_words(method_parameters(), methods), info(methods.front()->name).revision, start,
                         parameters_in_words(scene_parameters(), scenes), effects);
   }
   if (labels.size() < input.groups.size())
     text += " Values with | between them are those of different groups, in their order.";
+  const bool other_unit = std::any_of(input.groups.begin(), input.groups.end(),
+                                      [](const RunGroup& group) { return group.job().scene.unit != LengthUnit::um; });
+  if (other_unit)
+    text += " Lengths of a scene are in its own unit here, in µm elsewhere.";
   return {"What was run", text};
 }
 

@@ -55,11 +55,72 @@ std::optional<double> Run::measure(std::string_view name) const {
   return std::nullopt;
 }
 
+const Ancestor* Run::barrier() const {
+  const auto barred = std::find_if(way.rbegin(), way.rend(), [](const Ancestor& ancestor) {
+    return ancestor.outcome && *ancestor.outcome != Outcome::ok;
+  });
+  return barred == way.rend() ? nullptr : &*barred;
+}
+
+std::optional<double> Run::way_seconds(TimingMode mode) const {
+  if (!generation || !generation->timing.counts_as(mode))
+    return std::nullopt;
+  double sum = generation->timing.wall_s;
+  for (const Ancestor& ancestor : way) {
+    if (!ancestor.outcome || !ancestor.timing.counts_as(mode))
+      return std::nullopt;
+    sum += ancestor.timing.wall_s;
+  }
+  return sum;
+}
+
+namespace {
+
+/// Jobs and records of a campaign by key, to follow parents through.
+class Ancestry {
+public:
+  Ancestry(const Plan& plan, const FindRecord& find) : find_(find) {
+    for (const PlannedJob& planned : plan.jobs)
+      planned_.emplace(planned.key, &planned);
+  }
+
+  std::vector<Ancestor> of(const std::string& parent) {
+    if (parent.empty())
+      return {};
+    if (const auto known = known_.find(parent); known != known_.end())
+      return known->second;
+    const auto record = find_(parent);
+    const auto planned = planned_.find(parent);
+    std::vector<Ancestor> way{{parent, parent, {}}};
+    std::string next;
+    if (planned != planned_.end()) {
+      way[0].label = planned->second->label;
+      next = planned->second->job.parent;
+    }
+    if (record) {
+      way[0].outcome = record->outcome;
+      way[0].timing = record->timing;
+      next = record->parent;
+    }
+    const std::vector<Ancestor> before = of(next);
+    way.insert(way.end(), before.begin(), before.end());
+    return known_[parent] = way;
+  }
+
+private:
+  const FindRecord& find_;
+  std::map<std::string, const PlannedJob*> planned_;
+  std::map<std::string, std::vector<Ancestor>> known_;
+};
+
+} // namespace
+
 std::vector<Run> collect_runs(const Plan& plan, const FindRecord& find) {
   std::vector<Run> runs;
   runs.reserve(plan.jobs.size());
+  Ancestry ancestry(plan, find);
   for (const PlannedJob& planned : plan.jobs) {
-    Run run{planned, find(planned.key), {}};
+    Run run{planned, find(planned.key), {}, ancestry.of(planned.job.parent)};
     for (const Metric& metric : plan.metrics) {
       std::string key = metric_key(metric, planned.key);
       auto record = find(key);
@@ -72,6 +133,13 @@ std::vector<Run> collect_runs(const Plan& plan, const FindRecord& find) {
 
 std::size_t RunGroup::ok_count() const {
   return static_cast<std::size_t>(std::count_if(runs.begin(), runs.end(), [](const Run& run) { return run.ok(); }));
+}
+
+std::string RunGroup::start_in_words() const {
+  std::string words;
+  for (const Ancestor& ancestor : runs.front().way)
+    words += (words.empty() ? "" : ", from ") + ancestor.label;
+  return words;
 }
 
 std::vector<RunGroup> group_runs(std::span<const Run> runs) {

@@ -94,6 +94,11 @@ TimedPoints timed_points(const SizeFamily& family) {
         ++found.left_out;
         continue;
       }
+      if (!run.generation->timing.counts_as(found.mode)) {
+        ++found.disturbed;
+        continue;
+      }
+      found.processors.insert(run.generation->provenance.cpu_model);
       counts.push_back(*count);
       times.push_back(run.generation->timing.wall_s);
     }

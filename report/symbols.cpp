@@ -20,6 +20,7 @@ constexpr std::array kSymbols = {
     Symbol{"H_V_floor", "$H_V^{\\mathrm{floor}}$", "*H*<sub>V</sub> floor"},
     Symbol{"K", "$K$", "*K*"},
     Symbol{"phi", "$\\varphi$", "φ"},
+    Symbol{"phi_box", "$\\varphi_{\\mathrm{box}}$", "φ<sub>box</sub>"},
     Symbol{"phi_paper", "$\\varphi_{\\mathrm{paper}}$", "φ<sub>paper</sub>"},
     Symbol{"rho", "$\\rho$", "ρ"},
     Symbol{"R_L", "$R_L$", "*R*<sub>L</sub>"},
@@ -50,6 +51,17 @@ constexpr std::array kSymbols = {
     Symbol{"overlap_max", "$\\delta_{\\max}$", "δ<sub>max</sub>"},
     Symbol{"stable_alone", "$s_{\\mathrm{alone}}$", "*s*<sub>alone</sub>"},
     Symbol{"z", "$z$", "*z*"},
+    Symbol{"r_mean", "$\\bar{r}$", "mean *r*"},
+    Symbol{"r_sd", "$s_r$", "*s*<sub>r</sub>"},
+    Symbol{"r_10", "$r_{10}$", "*r*<sub>10</sub>"},
+    Symbol{"r_50", "$r_{50}$", "*r*<sub>50</sub>"},
+    Symbol{"r_90", "$r_{90}$", "*r*<sub>90</sub>"},
+    Symbol{"r_50_weighted", "$r_{50}^{\\mathrm{weighted}}$", "*r*<sub>50</sub> weighted"},
+    Symbol{"r_min", "$r_{\\min}$", "*r*<sub>min</sub>"},
+    Symbol{"r_max", "$r_{\\max}$", "*r*<sub>max</sub>"},
+    Symbol{"phi_exp", "$\\varphi_{\\mathrm{exp}}$", "φ<sub>exp</sub>"},
+    Symbol{"phi_close", "$\\varphi_{\\mathrm{close}}$", "φ<sub>close</sub>"},
+    Symbol{"phi_minus_close", "$\\varphi-\\varphi_{\\mathrm{close}}$", "φ − φ<sub>close</sub>"},
     Symbol{"mu_ln", "$\\mu_{\\ln}$", "μ<sub>ln</sub>"},
     Symbol{"sigma_ln", "$\\sigma_{\\ln}$", "σ<sub>ln</sub>"},
 };
@@ -82,6 +94,12 @@ std::string render_text(std::string_view text, const std::function<std::string(s
     done = close + kClose.size();
   }
   return out + escape(text.substr(done));
+}
+
+std::string plain_text(std::string_view text) {
+  return render_text(
+      text, [](std::string_view words) { return std::string(words); },
+      [](const Symbol& symbol) { return std::string(symbol.name); });
 }
 
 } // namespace tamp

@@ -22,4 +22,7 @@ const Symbol* find_symbol(std::string_view name);
 std::string render_text(std::string_view text, const std::function<std::string(std::string_view)>& escape,
                         const std::function<std::string(const Symbol&)>& mark);
 
+/// Such a text with the plain names of its symbols.
+std::string plain_text(std::string_view text);
+
 } // namespace tamp

@@ -14,6 +14,13 @@ namespace {
 
 constexpr int kSignificant = 3;
 
+/// Replicates that agree to this share of their mean differ by rounding alone, which is no spread.
+constexpr double kRounding = 1e-9;
+
+bool has_spread(const Cell& cell) {
+  return std::isfinite(cell.spread) && cell.spread > kRounding * std::abs(cell.value);
+}
+
 /// Size of the shown unit in units of the value.
 double shown_unit(const Cell& cell) {
   return cell.style == CellStyle::duration ? time_unit(std::abs(cell.value)).seconds : 1;
@@ -37,7 +44,7 @@ bool Panel::one_line_groups() const {
 
 int shown_decimals(const Cell& cell) {
   const double scale = shown_unit(cell);
-  if (cell.spread > 0)
+  if (has_spread(cell))
     return decimals_of_spread(cell.spread / scale);
   return cell.decimals.value_or(std::max(0, decimals_of_significant(cell.value / scale, kSignificant)));
 }
@@ -63,8 +70,8 @@ CellText show(const Cell& cell) {
     const double scale = shown_unit(cell);
     const int decimals = shown_decimals(cell);
     text.value = with_sign(cell, fixed(cell.value / scale, decimals));
-    if (std::isfinite(cell.spread))
-      text.spread = cell.spread > 0 ? fixed(cell.spread / scale, decimals) : "0";
+    if (has_spread(cell))
+      text.spread = fixed(cell.spread / scale, decimals);
     if (cell.style == CellStyle::duration)
       text.unit = time_unit(std::abs(cell.value)).name;
     break;

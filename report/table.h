@@ -20,17 +20,18 @@ struct Cell {
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
   double value = kNone;
-  double spread = kNone; ///< standard deviation; decides the digits of the value where it is above 0
+  double spread = kNone; ///< standard deviation; decides the digits of the value unless it is rounding
   std::size_t n = 0;     ///< numbers behind the value; 0 where it is not a statistic
   CellStyle style = CellStyle::fixed;
   std::string_view unit = "1";
-  std::optional<int> decimals;   ///< after the point, in the unit shown, without a spread; else 3 significant digits
-  bool sign = false;             ///< show + too
-  double relative = kNone;       ///< shown behind the value in per cent
-  bool doubtful = false;         ///< shown in parentheses, as the paper does with what it calls anomalous
-  std::string quantity;          ///< in CSV files, where it is not that of the column
-  std::string word;              ///< shown instead of a number: how a job ended
-  std::vector<std::string> keys; ///< of the generation jobs whose runs are behind it; empty for printed figures
+  std::optional<int> decimals;    ///< after the point, in the unit shown, without a spread; else 3 significant digits
+  bool sign = false;              ///< show + too
+  double relative = kNone;        ///< shown behind the value in per cent
+  bool doubtful = false;          ///< shown in parentheses, as the paper does with what it calls anomalous
+  std::string quantity;           ///< in CSV files, where it is not that of the column
+  std::string word;               ///< shown instead of a number: how a job ended
+  std::vector<std::string> keys;  ///< of the generation jobs whose runs are behind it; empty for printed figures
+  std::vector<double> run_values; ///< the number of each key's run, where it is not a measure of the column's name
 
   [[nodiscard]] bool empty() const;
 };
@@ -73,6 +74,7 @@ struct Panel {
   std::string title;
   std::vector<Column> columns;
   std::vector<Group> groups;
+  std::string rows = "Method"; ///< what the headings of the groups are
 
   [[nodiscard]] bool one_line_groups() const;
 };
@@ -81,6 +83,12 @@ struct Panel {
 struct Note {
   std::string heading;
   std::string text;
+};
+
+/// A figure that a document shows from its files, NAME.pdf and others.
+struct FigureMention {
+  std::string name;
+  std::string caption;
 };
 
 struct Table {

@@ -17,6 +17,33 @@ std::string json_array(const std::vector<std::string>& items) {
   return text + "]";
 }
 
+std::string point_text(const PlannedJob& job) {
+  return nlohmann::json(job.point).dump();
+}
+
+StoredJob job_of(const Query& row, int first) {
+  return {row.text(first), row.text(first + 1), row.text(first + 2), row.integer(first + 3),
+          nlohmann::json::parse(row.text(first + 4)).get<std::map<std::string, std::string>>()};
+}
+
+/// Whether the rows say of the campaign what the plan says.
+bool holds_campaign(Statements& statements, const Plan& plan) {
+  Query campaign(statements, "SELECT title, file, settings FROM campaigns WHERE name = ?", plan.campaign);
+  if (!campaign.step() || campaign.text(0) != plan.title || campaign.text(1) != plan.file ||
+      campaign.text(2) != campaign_settings(plan))
+    return false;
+  Query row(statements,
+            "SELECT key, label, replicate, point FROM campaign_jobs WHERE campaign = (SELECT id FROM campaigns WHERE "
+            "name = ?) ORDER BY position",
+            plan.campaign);
+  for (const PlannedJob& job : plan.jobs) {
+    if (!row.step() || row.text(0) != job.key || row.text(1) != job.label || row.integer(2) != job.job.replicate ||
+        row.text(3) != point_text(job))
+      return false;
+  }
+  return !row.step();
+}
+
 } // namespace
 
 std::string metric_settings(const Metric& metric) {
@@ -39,6 +66,8 @@ std::string campaign_settings(const Plan& plan) {
 }
 
 void replace_campaign(Statements& statements, const Plan& plan) {
+  if (holds_campaign(statements, plan))
+    return;
   Query(statements, "DELETE FROM campaign_jobs WHERE campaign = (SELECT id FROM campaigns WHERE name = ?)",
         plan.campaign)
       .step();
@@ -52,7 +81,7 @@ void replace_campaign(Statements& statements, const Plan& plan) {
     Query(statements,
           "INSERT INTO campaign_jobs (campaign, position, key, label, replicate, point) "
           "VALUES ((SELECT id FROM campaigns WHERE name = ?), ?, ?, ?, ?, ?)",
-          plan.campaign, position++, job.key, job.label, job.job.replicate, nlohmann::json(job.point).dump())
+          plan.campaign, position++, job.key, job.label, job.job.replicate, point_text(job))
         .step();
   }
 }
@@ -71,11 +100,34 @@ std::vector<StoredJob> select_campaign_jobs(Statements& statements, std::string_
             "SELECT campaigns.name, key, label, replicate, point FROM campaigns JOIN campaign_jobs "
             "ON campaign_jobs.campaign = campaigns.id WHERE campaigns.name = ? ORDER BY position",
             campaign);
-  while (row.step()) {
-    jobs.push_back({row.text(0), row.text(1), row.text(2), row.integer(3),
-                    nlohmann::json::parse(row.text(4)).get<std::map<std::string, std::string>>()});
-  }
+  while (row.step())
+    jobs.push_back(job_of(row, 0));
   return jobs;
+}
+
+CampaignExtent select_extent(Statements& statements, std::string_view campaign) {
+  Query row(statements,
+            "SELECT count(*), count(jobs.id) FROM campaign_jobs LEFT JOIN jobs ON jobs.key = campaign_jobs.key "
+            "WHERE campaign = (SELECT id FROM campaigns WHERE name = ?)",
+            campaign);
+  row.step();
+  return {static_cast<std::size_t>(row.integer(0)), static_cast<std::size_t>(row.integer(1))};
+}
+
+std::vector<Unsuccessful> select_unsuccessful(Statements& statements, std::string_view campaign) {
+  // From the few that failed to their campaign: one walk along the index of attempts, however many jobs there are.
+  Query row(statements,
+            "WITH bad AS MATERIALIZED (SELECT job, max(id), outcome FROM attempts GROUP BY job HAVING outcome != 'ok') "
+            "SELECT campaigns.name, c.key, c.label, c.replicate, c.point, j.kind, j.key, j.name, bad.outcome "
+            "FROM bad JOIN jobs j ON j.id = bad.job "
+            "JOIN campaign_jobs c ON c.key = CASE j.kind WHEN 'generation' THEN j.key ELSE j.parent END "
+            "JOIN campaigns ON campaigns.id = c.campaign WHERE campaigns.name = ? ORDER BY c.position, j.id",
+            campaign);
+  std::vector<Unsuccessful> found;
+  while (row.step())
+    found.push_back({job_of(row, 0), enum_from_row<JobKind>(row.text(5), "kind"), row.text(6), row.text(7),
+                     enum_from_row<Outcome>(row.text(8), "outcome")});
+  return found;
 }
 
 } // namespace tamp

@@ -1,8 +1,12 @@
 // Prepared statements, kept between uses, and one use of such a statement.
 #pragma once
 
+#include "engine/base/error.h"
+#include "engine/model/enum_names.h"
+
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Statement.h>
+#include <fmt/format.h>
 
 #include <cstdint>
 #include <map>
@@ -60,5 +64,13 @@ private:
   SQLite::Statement& statement_;
   int bound_ = 0;
 };
+
+/// The value that a column holds by its name; throws Error for a name that this tamp does not know.
+template <class E>
+E enum_from_row(const std::string& text, std::string_view column) {
+  if (const auto value = enum_of<E>(text))
+    return *value;
+  throw Error(fmt::format("the column {} holds \"{}\", which this tamp does not know", column, text));
+}
 
 } // namespace tamp

@@ -37,20 +37,48 @@ Json effects_to_json(const Effects& effects) {
   return {{"simulated", effects.simulated}, {"left_out", left_out}};
 }
 
+Json samples_to_json(const std::vector<TimeSample>& samples) {
+  Json list = Json::array();
+  for (const TimeSample& s : samples)
+    list.push_back({{"wall_s", finite(s.wall_s, "wall_s")},
+                    {"cpu_s", finite(s.cpu_s, "cpu_s")},
+                    {"steal_s", finite(s.steal_s, "steal_s")},
+                    {"switches", s.switches},
+                    {"disturbed", s.disturbed}});
+  return list;
+}
+
 Json timing_to_json(const Timing& t) {
   return {{"mode", name_of(t.mode)},
           {"wall_s", finite(t.wall_s, "wall_s")},
           {"cpu_s", finite(t.cpu_s, "cpu_s")},
           {"process_wall_s", finite(t.process_wall_s, "process_wall_s")},
           {"process_cpu_s", finite(t.process_cpu_s, "process_cpu_s")},
-          {"peak_rss_bytes", t.peak_rss_bytes}};
+          {"peak_rss_bytes", t.peak_rss_bytes},
+          {"conditions",
+           {{"load", finite(t.conditions.load, "load")},
+            {"switches", t.conditions.switches},
+            {"steal_s", finite(t.conditions.steal_s, "steal_s")},
+            {"governor", t.conditions.governor},
+            {"disturbed", t.conditions.disturbed}}},
+          {"samples", samples_to_json(t.samples)}};
 }
 
 Json provenance_to_json(const Provenance& p) {
-  return {{"commit", p.commit},       {"dirty", p.dirty},         {"compiler", p.compiler},
-          {"flags", p.flags},         {"libraries", p.libraries}, {"host", p.host},
-          {"cpu_model", p.cpu_model}, {"kernel", p.kernel},       {"hardware_threads", p.hardware_threads},
-          {"threads", p.threads},     {"start_utc", p.start_utc}, {"end_utc", p.end_utc}};
+  return {{"commit", p.commit},
+          {"dirty", p.dirty},
+          {"compiler", p.compiler},
+          {"flags", p.flags},
+          {"libraries", p.libraries},
+          {"host", p.host},
+          {"cpu_model", p.cpu_model},
+          {"kernel", p.kernel},
+          {"hardware_threads", p.hardware_threads},
+          {"threads", p.threads},
+          {"start_utc", p.start_utc},
+          {"end_utc", p.end_utc},
+          {"boot_id", p.boot_id},
+          {"pid", p.pid}};
 }
 
 template <class E>
@@ -77,7 +105,24 @@ Timing timing_from_json(const Json& json) {
   t.process_wall_s = json.at("process_wall_s");
   t.process_cpu_s = json.at("process_cpu_s");
   t.peak_rss_bytes = json.at("peak_rss_bytes");
+  if (const auto found = json.find("conditions"); found != json.end()) {
+    t.conditions.load = found->at("load");
+    t.conditions.switches = found->at("switches");
+    t.conditions.steal_s = found->at("steal_s");
+    t.conditions.governor = found->at("governor");
+    t.conditions.disturbed = found->at("disturbed");
+  }
+  if (const auto found = json.find("samples"); found != json.end()) {
+    for (const Json& s : *found)
+      t.samples.push_back({s.at("wall_s"), s.at("cpu_s"), s.at("steal_s"), s.at("switches"), s.at("disturbed")});
+  }
   return t;
+}
+
+Json limits_to_json(const Limits& limits) {
+  return {{"wall_s", finite(limits.wall_s, "the limit wall_s")},
+          {"cpu_s", finite(limits.cpu_s, "the limit cpu_s")},
+          {"memory_mb", limits.memory_mb}};
 }
 
 Provenance provenance_from_json(const Json& json) {
@@ -94,6 +139,8 @@ Provenance provenance_from_json(const Json& json) {
   p.threads = json.at("threads");
   p.start_utc = json.at("start_utc");
   p.end_utc = json.at("end_utc");
+  p.boot_id = json.value("boot_id", ""); // not in the results of older programs, as the next below
+  p.pid = json.value("pid", std::int64_t{0});
   return p;
 }
 
@@ -113,6 +160,8 @@ Record record_of(const Json& json) {
   for (const Json& m : json.at("measures"))
     r.measures.push_back({m.at("name"), m.at("value"), m.at("unit")});
   r.timing = timing_from_json(json.at("timing"));
+  if (const auto found = json.find("limits"); found != json.end())
+    r.limits = {found->at("wall_s"), found->at("cpu_s"), found->at("memory_mb")};
   r.provenance = provenance_from_json(json.at("provenance"));
   r.packing_file = json.at("packing_file");
   r.packing_sha256 = json.at("packing_sha256");
@@ -135,6 +184,7 @@ std::string record_to_json(const Record& r) {
                     {"effects", effects_to_json(r.effects)},
                     {"measures", measures_to_json(r.measures)},
                     {"timing", timing_to_json(r.timing)},
+                    {"limits", limits_to_json(r.limits)},
                     {"provenance", provenance_to_json(r.provenance)},
                     {"packing_file", r.packing_file},
                     {"packing_sha256", r.packing_sha256}};

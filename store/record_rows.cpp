@@ -13,13 +13,6 @@
 namespace tamp {
 namespace {
 
-template <class E>
-E enum_from_row(const std::string& text, std::string_view column) {
-  if (const auto value = enum_of<E>(text))
-    return *value;
-  throw Error(fmt::format("the column {} holds \"{}\", which this tamp does not know", column, text));
-}
-
 /// The id of the row with these values, added if there is none.
 template <class... Values>
 std::int64_t id_of(Statements& statements, std::string_view select, std::string_view insert, const Values&... values) {
@@ -72,6 +65,14 @@ void insert_details(Statements& statements, std::int64_t attempt, const Record& 
     insert_effect(effect, true, "");
   for (const auto& [effect, why] : record.effects.left_out)
     insert_effect(effect, false, why);
+  position = 0;
+  for (const TimeSample& sample : record.timing.samples) {
+    Query(statements,
+          "INSERT INTO samples (attempt, position, wall_s, cpu_s, steal_s, switches, disturbed) "
+          "VALUES (?, ?, ?, ?, ?, ?, ?)",
+          attempt, position++, sample.wall_s, sample.cpu_s, sample.steal_s, sample.switches, sample.disturbed)
+        .step();
+  }
 }
 
 void select_details(Statements& statements, std::int64_t attempt, Record& record) {
@@ -85,13 +86,21 @@ void select_details(Statements& statements, std::int64_t attempt, Record& record
     else
       record.effects.left_out.push_back({effect.text(0), effect.text(2)});
   }
+  Query sample(statements,
+               "SELECT wall_s, cpu_s, steal_s, switches, disturbed FROM samples WHERE attempt = ? ORDER BY position",
+               attempt);
+  while (sample.step())
+    record.timing.samples.push_back(
+        {sample.number(0), sample.number(1), sample.number(2), sample.integer(3), sample.text(4)});
 }
 
 constexpr std::string_view select_attempts =
     "SELECT attempts.id, key, kind, jobs.name, revision, canonical, parent, outcome, reason, timing_mode, wall_s, "
     "cpu_s, process_wall_s, process_cpu_s, peak_rss_bytes, source_commit, dirty, compiler, flags, libraries, "
-    "hosts.name, cpu_model, kernel, hardware_threads, threads, start_utc, end_utc, packing_file, packing_sha256 "
-    "FROM jobs JOIN attempts ON attempts.job = jobs.id JOIN builds ON builds.id = build JOIN hosts ON hosts.id = host "
+    "hosts.name, cpu_model, kernel, hardware_threads, threads, start_utc, end_utc, packing_file, packing_sha256, "
+    "boot_id, pid, load, switches, steal_s, governor, disturbed, wall_limit_s, cpu_limit_s, memory_limit_mb FROM jobs "
+    "JOIN attempts ON attempts.job = jobs.id JOIN "
+    "builds ON builds.id = build JOIN hosts ON hosts.id = host "
     "WHERE key = ? ORDER BY attempts.id DESC LIMIT ?";
 
 /// The record of the current row of select_attempts.
@@ -129,6 +138,16 @@ Record record_of(Query& row) {
   r.provenance.end_utc = text();
   r.packing_file = text();
   r.packing_sha256 = text();
+  r.provenance.boot_id = text();
+  r.provenance.pid = integer();
+  r.timing.conditions.load = number();
+  r.timing.conditions.switches = integer();
+  r.timing.conditions.steal_s = number();
+  r.timing.conditions.governor = text();
+  r.timing.conditions.disturbed = text();
+  r.limits.wall_s = number();
+  r.limits.cpu_s = number();
+  r.limits.memory_mb = integer();
   return r;
 }
 
@@ -149,6 +168,11 @@ void check_storable(const Record& record) {
   check(record.timing.cpu_s, "the CPU time");
   check(record.timing.process_wall_s, "the wall time of the process");
   check(record.timing.process_cpu_s, "the CPU time of the process");
+  for (const TimeSample& sample : record.timing.samples)
+    check(sample.wall_s + sample.cpu_s + sample.steal_s, "a time");
+  check(record.limits.wall_s + record.limits.cpu_s, "a limit");
+  check(record.timing.conditions.load, "the load average");
+  check(record.timing.conditions.steal_s, "the time that the hypervisor took");
 }
 
 bool insert_record(Statements& statements, const Record& record) {
@@ -167,11 +191,14 @@ bool insert_record(Statements& statements, const Record& record) {
   const Provenance& p = record.provenance;
   Query(statements,
         "INSERT INTO attempts (job, outcome, reason, timing_mode, wall_s, cpu_s, process_wall_s, process_cpu_s, "
-        "peak_rss_bytes, build, host, threads, start_utc, end_utc, packing_file, packing_sha256) "
-        "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+        "peak_rss_bytes, build, host, threads, start_utc, end_utc, packing_file, packing_sha256, boot_id, pid, load, "
+        "switches, steal_s, governor, disturbed, wall_limit_s, cpu_limit_s, memory_limit_mb) "
+        "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
         job, name_of(record.outcome), record.reason, name_of(t.mode), t.wall_s, t.cpu_s, t.process_wall_s,
         t.process_cpu_s, static_cast<std::int64_t>(t.peak_rss_bytes), build_id(statements, p), host_id(statements, p),
-        p.threads, p.start_utc, p.end_utc, record.packing_file, record.packing_sha256)
+        p.threads, p.start_utc, p.end_utc, record.packing_file, record.packing_sha256, p.boot_id, p.pid,
+        t.conditions.load, t.conditions.switches, t.conditions.steal_s, t.conditions.governor, t.conditions.disturbed,
+        record.limits.wall_s, record.limits.cpu_s, record.limits.memory_mb)
       .step();
   insert_details(statements, statements.database().getLastInsertRowid(), record);
   return true;

@@ -70,7 +70,30 @@ CREATE TABLE campaign_jobs (
 CREATE INDEX campaigns_of_key ON campaign_jobs (key);
 )";
 
-constexpr std::array<const char*, 1> steps_of_schema{version_1};
+// Which process ran an attempt, and what went on on its machine meanwhile.
+constexpr const char* version_2 = R"(
+ALTER TABLE attempts ADD COLUMN boot_id TEXT NOT NULL DEFAULT '';
+ALTER TABLE attempts ADD COLUMN pid INTEGER NOT NULL DEFAULT 0;
+ALTER TABLE attempts ADD COLUMN load REAL NOT NULL DEFAULT 0;
+ALTER TABLE attempts ADD COLUMN switches INTEGER NOT NULL DEFAULT 0;
+ALTER TABLE attempts ADD COLUMN steal_s REAL NOT NULL DEFAULT 0;
+ALTER TABLE attempts ADD COLUMN governor TEXT NOT NULL DEFAULT '';
+ALTER TABLE attempts ADD COLUMN disturbed TEXT NOT NULL DEFAULT '';
+)";
+
+// What a job was allowed to use, and the single times of one that was run more than once.
+constexpr const char* version_3 = R"(
+ALTER TABLE attempts ADD COLUMN wall_limit_s REAL NOT NULL DEFAULT 0;
+ALTER TABLE attempts ADD COLUMN cpu_limit_s REAL NOT NULL DEFAULT 0;
+ALTER TABLE attempts ADD COLUMN memory_limit_mb INTEGER NOT NULL DEFAULT 0;
+CREATE TABLE samples (
+  attempt INTEGER NOT NULL REFERENCES attempts (id), position INTEGER NOT NULL,
+  wall_s REAL NOT NULL, cpu_s REAL NOT NULL, steal_s REAL NOT NULL, switches INTEGER NOT NULL, disturbed TEXT NOT NULL,
+  PRIMARY KEY (attempt, position)
+) STRICT, WITHOUT ROWID;
+)";
+
+constexpr std::array<const char*, 3> steps_of_schema{version_1, version_2, version_3};
 
 int pragma(SQLite::Database& database, const char* name) {
   return database.execAndGet(fmt::format("PRAGMA {}", name)).getInt();
@@ -128,7 +151,7 @@ std::string immutable_uri(const std::filesystem::path& file) {
 
 } // namespace
 
-SQLite::Database open_database(const std::filesystem::path& file, bool writable) {
+SQLite::Database open_database(const std::filesystem::path& file, bool writable, bool network) {
   if (!writable && !std::filesystem::exists(file)) {
     throw Error(fmt::format("there is no store in {}: {} is missing; `tamp run` makes one", file.parent_path().string(),
                             file.string()));
@@ -139,8 +162,10 @@ SQLite::Database open_database(const std::filesystem::path& file, bool writable)
   database.exec(fmt::format("PRAGMA foreign_keys = ON; PRAGMA cache_size = -{}", cache_kib));
   if (writable) {
     bring_up_to_date(database, schema_steps());
+    // A write-ahead log needs memory that all its users share, which those on two machines cannot.
+    database.exec(network ? "PRAGMA journal_mode = DELETE" : "PRAGMA journal_mode = WAL");
     // FULL: a record outlives a loss of power once put() has returned; the packing was synced before it.
-    database.exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
+    database.exec("PRAGMA synchronous = FULL");
   } else {
     const int newest = static_cast<int>(schema_steps().size());
     if (const int version = checked_version(database, newest); version < newest) {

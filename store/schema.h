@@ -20,7 +20,8 @@ std::span<const char* const> schema_steps();
 void bring_up_to_date(SQLite::Database& database, std::span<const char* const> steps);
 
 /// Opens tamp.sqlite: to write (made if missing, brought up to date) or to read (must exist and be up to date).
-/// Throws Error or SQLite::Exception.
-SQLite::Database open_database(const std::filesystem::path& file, bool writable);
+/// `network`: the file lies on a network file system, where it does without the write-ahead log. Throws Error or
+/// SQLite::Exception.
+SQLite::Database open_database(const std::filesystem::path& file, bool writable, bool network = false);
 
 } // namespace tamp

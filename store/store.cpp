@@ -29,7 +29,8 @@ std::string_view kind_or_any(std::optional<JobKind> kind) {
 } // namespace
 
 bool is_final(Outcome outcome) {
-  return outcome != Outcome::failed;
+  return outcome != Outcome::failed && outcome != Outcome::crashed && outcome != Outcome::cancelled &&
+         outcome != Outcome::lost;
 }
 
 Store::Store(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -52,11 +53,33 @@ const fs::path& Store::folder() const {
 fs::path Store::incoming() const {
   return parts_->folder / "incoming";
 }
+std::string_view Store::network() const {
+  return parts_->network;
+}
 fs::path Store::jobs_lock() const {
   return parts_->folder / "jobs.lock";
 }
 fs::path Store::packing_path(std::string_view key) const {
   return parts_->folder / "packings" / key.substr(0, 2) / (std::string(key) + ".h5");
+}
+
+fs::path Store::log_path(std::string_view key) const {
+  return parts_->folder / "logs" / key.substr(0, 2) / (std::string(key) + ".log");
+}
+
+void Store::keep_log(std::string_view key, const fs::path& file) {
+  const fs::path kept = log_path(key);
+  try {
+    if (fs::exists(file) && !fs::is_empty(file)) {
+      fs::create_directories(kept.parent_path());
+      fs::rename(file, kept);
+    } else {
+      fs::remove(file);
+      fs::remove(kept);
+    }
+  } catch (const fs::filesystem_error& e) {
+    throw Error(e.what());
+  }
 }
 
 bool Store::put(const Record& record) {
@@ -140,6 +163,17 @@ std::vector<Record> Store::metric_records(std::string_view packing_key) const {
   return records(keys);
 }
 
+std::vector<RecordedJob> Store::recorded_jobs(JobKind kind, std::string_view name) const {
+  return with_statements(*parts_, [&](Statements& statements) {
+    std::vector<RecordedJob> jobs;
+    Query row(statements, "SELECT key, canonical FROM jobs WHERE kind = ? AND name = ? ORDER BY id", name_of(kind),
+              name);
+    while (row.step())
+      jobs.push_back({row.text(0), row.text(1)});
+    return jobs;
+  });
+}
+
 std::vector<std::string> Store::keys_without_campaign() const {
   return with_statements(*parts_, [&](Statements& statements) {
     std::vector<std::string> keys;
@@ -175,6 +209,26 @@ std::vector<StoredCampaign> Store::campaigns() const {
 
 std::vector<StoredJob> Store::campaign_jobs(std::string_view campaign) const {
   return with_statements(*parts_, [&](Statements& statements) { return select_campaign_jobs(statements, campaign); });
+}
+
+CampaignExtent Store::campaign_extent(std::string_view campaign) const {
+  return with_statements(*parts_, [&](Statements& statements) { return select_extent(statements, campaign); });
+}
+
+std::vector<Unsuccessful> Store::unsuccessful(std::string_view campaign) const {
+  return with_statements(*parts_, [&](Statements& statements) { return select_unsuccessful(statements, campaign); });
+}
+
+std::vector<std::string> Store::integrity() const {
+  return with_statements(*parts_, [&](Statements& statements) {
+    std::vector<std::string> lines;
+    Query row(statements, "PRAGMA integrity_check");
+    while (row.step())
+      lines.push_back(row.text(0));
+    if (lines == std::vector<std::string>{"ok"})
+      lines.clear();
+    return lines;
+  });
 }
 
 void Store::on_import_step(std::function<void(ImportStep)> hook) {

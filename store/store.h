@@ -1,6 +1,7 @@
 // The store of a folder of results: records with their provenance in SQLite, packings as files named by their keys.
 #pragma once
 
+#include "engine/base/error.h"
 #include "engine/model/packing.h"
 #include "engine/model/plan.h"
 #include "engine/model/record.h"
@@ -17,8 +18,14 @@
 
 namespace tamp {
 
-/// Whether a job that ended so need not run again. All but `failed` are: a limit or a method that does not converge
-/// would end the same way. (Limits are not part of a key; whoever raises them decides by the outcome, see outcomes().)
+/// The database of a store is damaged (a bad page, or no database at all).
+struct DamagedStore : Error {
+  using Error::Error;
+};
+
+/// Whether a job that ended so need not run again. A limit or a method that does not converge would end the same way
+/// again; what failed, crashed, was cancelled or lost may not. (Limits are not part of a key; whoever raises them
+/// decides by the outcome, see outcomes().)
 bool is_final(Outcome outcome);
 
 /// A campaign as the store remembers it.
@@ -36,6 +43,27 @@ struct StoredJob {
   std::string label;
   std::int64_t replicate = 0;
   std::map<std::string, std::string> point;
+};
+
+/// How much of a campaign is recorded, in packings.
+struct CampaignExtent {
+  std::size_t planned = 0;
+  std::size_t recorded = 0;
+};
+
+/// A job of a campaign whose current record is not ok; `packing`: the generation job, or the one a metric measured.
+struct Unsuccessful {
+  StoredJob packing;
+  JobKind kind = JobKind::generation;
+  std::string key;
+  std::string name; ///< of the method or metric
+  Outcome outcome = Outcome::failed;
+};
+
+/// A job that has a record, by what decides its result.
+struct RecordedJob {
+  std::string key;
+  std::string canonical;
 };
 
 /// The points inside an import at which a fault may strike; tests stop the process there.
@@ -65,10 +93,17 @@ public:
   [[nodiscard]] const std::filesystem::path& folder() const;
   /// Where child processes leave <key>.h5 and then <key>.json.
   [[nodiscard]] std::filesystem::path incoming() const;
+  /// The name of the network file system on which the folder lies; empty if it is on a local disk.
+  [[nodiscard]] std::string_view network() const;
   /// The file of the lock (engine/base/file_lock.h) that a process holds while it runs jobs.
   [[nodiscard]] std::filesystem::path jobs_lock() const;
   /// Where the packing of a key belongs, whether it is there or not.
   [[nodiscard]] std::filesystem::path packing_path(std::string_view key) const;
+
+  /// Where the output of the latest run of a job is kept, if it said anything.
+  [[nodiscard]] std::filesystem::path log_path(std::string_view key) const;
+  /// Takes a file for the output of the latest run of a job. An empty one, or none, takes away that of the run before.
+  void keep_log(std::string_view key, const std::filesystem::path& file);
 
   /// Remembers a run, in one transaction that is on the disk when this returns. Ignored (false) if the key has an ok
   /// record already, as the same key means the same result; otherwise a further attempt. Throws Error for a measure
@@ -103,6 +138,8 @@ public:
   [[nodiscard]] std::vector<Record> attempts(std::string_view key) const;
   /// The current metric records of the packing of a generation job, by metric and key.
   [[nodiscard]] std::vector<Record> metric_records(std::string_view packing_key) const;
+  /// The recorded jobs of a method or metric, in the order of their first attempts.
+  [[nodiscard]] std::vector<RecordedJob> recorded_jobs(JobKind kind, std::string_view name) const;
   /// The keys of the generation jobs that no campaign names, in the order of their first attempts.
   [[nodiscard]] std::vector<std::string> keys_without_campaign() const;
 
@@ -114,6 +151,13 @@ public:
   [[nodiscard]] std::vector<StoredCampaign> campaigns() const;
   /// The jobs of a campaign, in the order of its file; empty if the store does not know it.
   [[nodiscard]] std::vector<StoredJob> campaign_jobs(std::string_view campaign) const;
+  /// Planned and recorded packings, without reading each job: hundred thousand take some hundredths of a second.
+  [[nodiscard]] CampaignExtent campaign_extent(std::string_view campaign) const;
+  /// Generation jobs and the metrics on their packings that did not end ok, in the order of the campaign's file.
+  [[nodiscard]] std::vector<Unsuccessful> unsuccessful(std::string_view campaign) const;
+
+  /// What SQLite finds wrong with its file, line by line; empty if it is sound. Reads all of it.
+  [[nodiscard]] std::vector<std::string> integrity() const;
 
   /// Called at each step of an import, by the thread that imports. For tests.
   void on_import_step(std::function<void(ImportStep)> hook);

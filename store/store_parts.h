@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/base/error.h"
+#include "engine/base/mount_kind.h"
 #include "store/query.h"
 #include "store/schema.h"
 #include "store/store.h"
@@ -14,11 +15,13 @@ namespace tamp {
 
 struct Store::Parts {
   Parts(std::filesystem::path folder_, bool writable)
-      : folder(std::move(folder_)), file(folder / "tamp.sqlite"), database(open_database(file, writable)) {}
+      : folder(std::move(folder_)), file(folder / "tamp.sqlite"), network(network_file_system(folder)),
+        database(open_database(file, writable, !network.empty())) {}
 
   std::filesystem::path folder;
   std::filesystem::path file;
-  std::mutex mutex; // guards all below: statements are not for several threads
+  std::string_view network; // the name of the network file system on which the folder lies, if it does
+  std::mutex mutex;         // guards all below: statements are not for several threads
   SQLite::Database database;
   Statements statements{database};
   std::function<void(ImportStep)> on_step;
@@ -29,18 +32,22 @@ struct Store::Parts {
   }
 };
 
+/// Whether an error of SQLite means that its file is damaged.
+bool is_damage(const SQLite::Exception& error);
+
+/// What a user can do about an error of SQLite, to go behind its message; empty if that says it all.
+std::string advice(const SQLite::Exception& error, const std::filesystem::path& file);
+
 /// Turns what SQLite throws into an Error that names the database.
 template <class F>
 decltype(auto) with_named_file(const std::filesystem::path& file, F&& f) {
   try {
     return f();
   } catch (const SQLite::Exception& e) {
-    constexpr int damaged = 11;        // SQLITE_CORRUPT
-    constexpr int not_a_database = 26; // SQLITE_NOTADB
-    const int code = e.getErrorCode();
-    const bool is_broken = code == damaged || code == not_a_database;
-    throw Error("cannot use " + file.string() + ": " + e.what() +
-                (is_broken ? "; the file is damaged: move it away and start a new store, or restore a copy" : ""));
+    const std::string message = "cannot use " + file.string() + ": " + e.what() + advice(e, file);
+    if (is_damage(e))
+      throw DamagedStore(message);
+    throw Error(message);
   }
 }
 

@@ -17,8 +17,11 @@ namespace tamp::cli {
 namespace {
 
 constexpr std::array kCommands = {
-    Command{declare_run},    Command{declare_plan},   Command{declare_status},    Command{declare_results},
-    Command{declare_report}, Command{declare_schema}, Command{declare_reference}, Command{declare_job},
+    Command{declare_run},    Command{declare_plan},     Command{declare_explain}, Command{declare_reproduce},
+    Command{declare_status}, Command{declare_results},  Command{declare_report},  Command{declare_compare},
+    Command{declare_audit},  Command{declare_export},   Command{declare_schema},  Command{declare_reference},
+    Command{declare_job},    Command{declare_submit},   Command{declare_collect}, Command{declare_element},
+    Command{declare_fsck},   Command{declare_timeline}, Command{declare_logs},    Command{declare_completion},
 };
 
 constexpr const char* kHelpFooter = R"(First steps:

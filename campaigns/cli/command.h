@@ -40,12 +40,24 @@ std::span<const Command> commands();
 
 void declare_run(CommandLine& line);
 void declare_plan(CommandLine& line);
+void declare_explain(CommandLine& line);
+void declare_reproduce(CommandLine& line);
 void declare_status(CommandLine& line);
 void declare_results(CommandLine& line);
 void declare_report(CommandLine& line);
+void declare_compare(CommandLine& line);
+void declare_audit(CommandLine& line);
+void declare_export(CommandLine& line);
 void declare_schema(CommandLine& line);
 void declare_reference(CommandLine& line);
 void declare_job(CommandLine& line);
+void declare_submit(CommandLine& line);
+void declare_collect(CommandLine& line);
+void declare_element(CommandLine& line);
+void declare_fsck(CommandLine& line);
+void declare_timeline(CommandLine& line);
+void declare_logs(CommandLine& line);
+void declare_completion(CommandLine& line);
 
 /// The option --store that all commands share.
 void add_store_option(CLI::App& app, std::string& folder);

@@ -1,7 +1,9 @@
 // Starts `tamp job` for generations, measures stored packings here, puts every record into the store.
 #include "campaigns/cli/local_run.h"
 
+#include "campaigns/cli/child_line.h"
 #include "campaigns/cli/provenance.h"
+#include "campaigns/cli/shared_run.h"
 #include "campaigns/job_file.h"
 #include "engine/base/error.h"
 #include "engine/base/files.h"
@@ -13,6 +15,8 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,6 +30,7 @@ namespace fs = std::filesystem;
 constexpr const char* kJobFile = ".job";
 constexpr const char* kLogFile = ".log";
 constexpr const char* kCheckpoint = ".checkpoint"; // written by the child; outlives all but a result
+constexpr const char* kFiles = ".files";           // folder with the scripts and logs of a program that a child started
 constexpr const char* kSetAside = ".damaged";
 
 /// The file of a job among the incoming ones.
@@ -33,17 +38,14 @@ fs::path incoming_file(const Store& store, const std::string& key, const char* e
   return store.incoming() / (key + extension);
 }
 
-/// A generation job as a child: this program, started anew. The child finds the very file this process runs, even if it
-/// has been replaced or removed since.
+/// A generation job as a child: this program, started anew.
 ChildJob prepare_child(const Store& store, const Task& task) {
   const std::string& key = task.planned.key;
   const fs::path job = incoming_file(store, key, kJobFile);
   const fs::path result = incoming_file(store, key, ".json");
   write_atomically(job, job_json(task.planned.job));
-  std::vector<std::string> argv = {"/proc/self/exe", "job", job.string(), "--out", store.incoming().string()};
-  if (const std::string& parent = task.planned.job.parent; !parent.empty())
-    argv.insert(argv.end(), {"--parent", store.packing_path(parent).string()});
-  return {.argv = std::move(argv),
+  const std::string& parent = task.planned.job.parent;
+  return {.argv = child_line(job, store.incoming(), parent.empty() ? fs::path() : store.packing_path(parent), task.run),
           .log = incoming_file(store, key, kLogFile),
           .collect = [result]() -> std::optional<Record> {
             return fs::exists(result) ? std::optional(read_record(result)) : std::nullopt;
@@ -95,6 +97,17 @@ Record measure_stored(const Store& store, const Provenance& origin, const Task& 
   return record;
 }
 
+/// Scripts and logs go to the packing that they made, as KEY.files beside it; those of no packing stay where they are.
+void keep_files(const Store& store, const Record& record) {
+  const fs::path made = incoming_file(store, record.key, kFiles);
+  if (!leaves_packing(record.outcome) || !fs::exists(made))
+    return;
+  fs::path kept = store.packing_path(record.key);
+  kept.replace_extension(kFiles);
+  fs::remove_all(kept);
+  fs::rename(made, kept);
+}
+
 /// A record of the scheduler goes into the store; if a child left it, together with its packing.
 void keep(Store& store, const Record& record) {
   if (record.kind == JobKind::metric) {
@@ -104,12 +117,58 @@ void keep(Store& store, const Record& record) {
   const fs::path json = incoming_file(store, record.key, ".json");
   const fs::path packing = incoming_file(store, record.key, ".h5");
   if (fs::exists(json)) {
-    store.import_result(json, packing, [&](Record& stored) { stored.timing = record.timing; });
+    store.import_result(json, packing, [&](Record& stored) {
+      stored.timing = record.timing;
+      stored.limits = record.limits;
+    });
   } else {
     fs::remove(packing); // without a record it is half a result
     store.put(record);
   }
 }
+
+/// Sees to it that of all the runs in a store one alone is at a job.
+class Claimant {
+public:
+  explicit Claimant(const Store& store)
+      : store_(store), claims_(claims_file(store.folder())), before_(store.outcomes()) {}
+
+  /// Claims a job. False if another run is at it, or has ended it since this one began.
+  bool take(const std::string& key) {
+    if (!claims_.take(key))
+      return false;
+    const std::optional<Outcome> now = store_.outcome(key);
+    const auto before = before_.find(key);
+    const bool ended = now && is_final(*now) && (before == before_.end() || before->second != *now);
+    if (ended)
+      claims_.give_back(key);
+    return !ended;
+  }
+  void give_back(const std::string& key) { claims_.give_back(key); }
+
+private:
+  const Store& store_;
+  Claims claims_;
+  std::map<std::string, Outcome> before_;
+};
+
+/// Leaves alone the jobs that others are at.
+class ClaimingExecutor final : public Executor {
+public:
+  ClaimingExecutor(Executor& inner, Claimant& claimant) : inner_(inner), claimant_(claimant) {}
+  std::optional<Record> run(const Task& task, std::optional<int> core, std::stop_token stop) override {
+    if (!claimant_.take(task.planned.key))
+      return std::nullopt;
+    std::optional<Record> record = inner_.run(task, core, std::move(stop));
+    if (!record)
+      claimant_.give_back(task.planned.key);
+    return record;
+  }
+
+private:
+  Executor& inner_;
+  Claimant& claimant_;
+};
 
 } // namespace
 
@@ -119,20 +178,28 @@ Summary run_here(Store& store, const Agenda& agenda, const Resources& resources,
   Provenance measured_here = origin;
   measured_here.threads = resources.cores;
 
-  ProcessExecutor executor([&](const Task& task) { return prepare_child(store, task); }, origin);
-  const Handlers handlers{
-      .executor = executor,
-      .measure = [&](const Task& task,
-                     const Metric& metric) { return measure_stored(store, measured_here, task, metric); },
-      .sink =
-          [&](const Record& record) {
-            keep(store, record);
-            for (const char* extension : {kJobFile, kLogFile})
-              fs::remove(incoming_file(store, record.key, extension));
-            if (leaves_packing(record.outcome))
-              fs::remove(incoming_file(store, record.key, kCheckpoint));
-          },
-      .observer = observer};
+  Claimant claimant(store);
+  ProcessExecutor children([&](const Task& task) { return prepare_child(store, task); }, origin);
+  ClaimingExecutor executor(children, claimant);
+  const Handlers handlers{.executor = executor,
+                          .measure = [&](const Task& task, const Metric& metric) -> std::optional<Record> {
+                            if (!claimant.take(metric_key(metric, task.planned.key)))
+                              return std::nullopt;
+                            return measure_stored(store, measured_here, task, metric);
+                          },
+                          .sink =
+                              [&](const Record& record) {
+                                keep(store, record);
+                                if (record.kind == JobKind::generation) {
+                                  keep_files(store, record);
+                                  store.keep_log(record.key, incoming_file(store, record.key, kLogFile));
+                                }
+                                fs::remove(incoming_file(store, record.key, kJobFile));
+                                if (leaves_packing(record.outcome))
+                                  fs::remove(incoming_file(store, record.key, kCheckpoint));
+                                claimant.give_back(record.key);
+                              },
+                          .observer = observer};
   try {
     return run_agenda(agenda, resources, handlers, stop);
   } catch (const fs::filesystem_error& e) {

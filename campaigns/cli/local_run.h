@@ -8,8 +8,9 @@
 
 namespace tamp::cli {
 
-/// Runs the open items of an agenda on this machine; each record is in the store when the observer hears of it. The
-/// caller holds the store's lock. Errors as in run_agenda.
+/// Runs the open items of an agenda on this machine, but for those that other runs in the store are at or have ended
+/// meanwhile; each record is in the store when the observer hears of it. The caller has a seat (shared_run.h). Errors
+/// as in run_agenda.
 Summary run_here(Store& store, const Agenda& agenda, const Resources& resources, Observer& observer,
                  const std::stop_token& stop);
 

@@ -7,14 +7,6 @@
 
 namespace tamp::cli {
 
-std::string job_name(const std::string& label, const std::map<std::string, std::string>& point,
-                     std::int64_t replicate) {
-  std::string text = label;
-  for (const auto& [path, value] : point)
-    text += fmt::format(", {} = {}", path, value);
-  return text + fmt::format(", replicate {}", replicate);
-}
-
 std::string short_key(const std::string& key) {
   constexpr std::size_t kDigits = 12;
   return key.substr(0, kDigits);

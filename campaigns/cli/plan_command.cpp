@@ -1,8 +1,10 @@
 // tamp plan: shows what `tamp run` would do, and does nothing.
 #include "campaigns/cli/command.h"
-#include "campaigns/cli/estimate.h"
+#include "campaigns/cli/flow_dot.h"
 #include "campaigns/cli/names.h"
 #include "campaigns/cli/open_store.h"
+#include "campaigns/cli/plan_costs.h"
+#include "engine/base/files.h"
 #include "engine/schedule/resources.h"
 
 #include <fmt/format.h>
@@ -20,6 +22,8 @@ namespace {
 struct Options {
   std::vector<std::string> files;
   std::string store = kDefaultStore;
+  std::string dot;
+  bool dot_jobs = false;
 };
 
 std::string standing_in_words(const Item& item) {
@@ -54,18 +58,6 @@ void print_jobs(const Agenda& agenda) {
   }
 }
 
-/// Remaining time, from the recorded times of the same kinds of jobs.
-std::optional<double> estimated_s(const Agenda& agenda, const Store& store) {
-  Estimate estimate(agenda, machine_resources().cores);
-  for (const Item& item : agenda.items) {
-    if (item.standing != Standing::recorded)
-      continue;
-    if (const std::optional<Record> record = store.find(item.key))
-      estimate.known(item, record->kind == JobKind::generation ? record->timing.process_wall_s : record->timing.wall_s);
-  }
-  return estimate.remaining_s();
-}
-
 int plan(const Options& options) {
   const std::vector<Plan> plans = load_campaigns(options.files);
   std::optional<Store> store;
@@ -74,6 +66,9 @@ int plan(const Options& options) {
   const Agenda agenda =
       make_agenda(plans, store ? known_to(*store) : Known([](const std::string&) { return std::nullopt; }));
 
+  if (!options.dot.empty())
+    write_atomically(options.dot, flow_dot(agenda, options.dot_jobs ? FlowDetail::jobs : FlowDetail::methods));
+
   for (const Plan& one : plans)
     print_campaign(one);
   print_jobs(agenda);
@@ -81,17 +76,20 @@ int plan(const Options& options) {
              in_words(recorded_outcomes(agenda)), agenda.count(Standing::open));
   if (const std::size_t barred = agenda.count(Standing::barred); barred > 0)
     fmt::print(", {} not possible", barred);
-  if (const auto seconds = store ? estimated_s(agenda, *store) : std::nullopt; seconds && *seconds > 0)
-    fmt::print(", about {}", in_words(*seconds));
   fmt::print("\n");
+  if (store)
+    fmt::print("{}", costs_in_words(agenda, *store, machine_resources().cores));
   return kOk;
 }
 
 constexpr const char* kExamples =
-    R"(Checks the files, lists every packing with its key and how it stands in the store, and counts. Writes nothing.
+    R"(Checks the files, lists every packing with its key and how it stands in the store, counts, and says
+what the rest will take in time and memory, learned from the records of the store. Writes nothing,
+but with --dot the graph of what waits for what, for Graphviz.
 Examples:
   tamp plan campaigns/*.json
-  tamp plan --store results campaigns/lognormal-2d.json | grep 'to run')";
+  tamp plan --store results campaigns/lognormal-2d.json | grep 'to run'
+  tamp plan campaigns/quickstart.json --dot flow.dot && dot -Tsvg flow.dot > flow.svg)";
 
 } // namespace
 
@@ -100,6 +98,9 @@ void declare_plan(CommandLine& line) {
   CLI::App& app =
       line.add("plan", "Show what a run would do, without doing it", kExamples, [options] { return plan(*options); });
   app.add_option("files", options->files, "Campaign files")->type_name("FILE")->required();
+  CLI::Option* dot =
+      app.add_option("--dot", options->dot, "Write the flow graph: methods and metrics with counts")->type_name("FILE");
+  app.add_flag("--dot-jobs", options->dot_jobs, "A node of it for each job")->needs(dot);
   add_store_option(app, options->store);
 }
 

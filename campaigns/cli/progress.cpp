@@ -47,8 +47,10 @@ void Progress::close() {
 }
 
 void Progress::opened(const Agenda& agenda) {
+  ticker_ = {}; // of the pass before this one; not under the lock, for which it may be waiting
   const std::scoped_lock lock(mutex_);
   agenda_ = &agenda;
+  ended_ = 0;
   total_ = agenda.count(Standing::open);
   estimate_.emplace(agenda, cores_);
   start_ = steady_seconds();
@@ -93,6 +95,9 @@ void Progress::barred(const Item& item) {
   const std::scoped_lock lock(mutex_);
   ++ended_;
   estimate_->barred(item);
+  if (item.kind == JobKind::generation && item.after)
+    write_line(fmt::format("{}: skipped, as the packing it starts from was not made ({})", name(item),
+                           name(agenda_->items[*item.after])));
 }
 
 void Progress::say(const std::string& line) {

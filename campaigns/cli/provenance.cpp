@@ -5,6 +5,7 @@
 #include "tamp_build_info.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 namespace tamp::cli {
 
@@ -18,6 +19,8 @@ Provenance this_program() {
   for (const build_info::Library& library : build_info::libraries)
     p.libraries.emplace(library.name, library.version);
   p.host = host.name;
+  p.boot_id = host.boot_id;
+  p.pid = ::getpid();
   p.cpu_model = host.cpu_model;
   p.kernel = host.kernel;
   p.hardware_threads = host.hardware_threads;

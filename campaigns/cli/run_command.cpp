@@ -5,14 +5,18 @@
 #include "campaigns/cli/names.h"
 #include "campaigns/cli/open_store.h"
 #include "campaigns/cli/progress.h"
+#include "campaigns/cli/shared_run.h"
 
 #include <CLI/Validators.hpp>
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tamp::cli {
@@ -24,6 +28,8 @@ struct Options {
   std::string store = kDefaultStore;
   Resources resources = machine_resources();
   bool retry_limited = false;
+  bool wait = false;
+  bool join = false;
 };
 
 void report_sweep(const Sweep& sweep, Progress& progress) {
@@ -50,18 +56,34 @@ int exit_code(const Summary& summary) {
   return summary.all_ok() ? kOk : kNotAllOk;
 }
 
+/// Whether a job that is to be run has the machine for itself.
+bool has_exclusive(const Agenda& agenda) {
+  return std::any_of(agenda.items.begin(), agenda.items.end(), [&](const Item& item) {
+    return item.kind == JobKind::generation && item.standing == Standing::open &&
+           agenda.task(item).run.timing == TimingMode::exclusive;
+  });
+}
+
 int run(const Options& options) {
   const std::vector<Plan> plans = load_campaigns(options.files); // before anything is made
   const Interrupt interrupt;
   Store store = Store::open(options.store, Store::Mode::create);
-  const FileLock lock = hold(store);
+  const InUse in_use = options.join ? InUse::join : options.wait ? InUse::wait : InUse::complain;
+  std::optional<Seat> seat = Seat::take(store.folder(), in_use, interrupt.token());
+  if (!seat)
+    return kCancelled;
   Progress progress(stderr, ::isatty(STDERR_FILENO) == 1, options.resources.cores);
-  report_sweep(store.sweep_incoming(), progress);
-  sweep_working_files(store);
+  if (!store.network().empty())
+    progress.say(fmt::format(
+        "the store lies on a network file system ({}): its database does without a write-ahead log", store.network()));
+  if (seat->is_alone()) {
+    report_sweep(store.sweep_incoming(), progress);
+    sweep_working_files(store);
+  }
   for (const Plan& plan : plans)
     store.put_campaign(plan);
 
-  const Agenda agenda = make_agenda(plans, known_to(store, options.retry_limited ? Limited::open : Limited::done));
+  Agenda agenda = make_agenda(plans, known_to(store, options.retry_limited ? Limited::open : Limited::done, plans));
   if (agenda.count(Standing::open) == 0) {
     const Summary summary{.recorded = recorded_outcomes(agenda), .barred = agenda.count(Standing::barred)};
     fmt::print("nothing to do: {} jobs already recorded ({})\n", total(summary.recorded), in_words(summary.recorded));
@@ -70,7 +92,11 @@ int run(const Options& options) {
       fmt::print("with a raised budget, --retry-limited runs those again that ran out of time or memory\n");
     return exit_code(summary);
   }
-  const Summary summary = run_here(store, agenda, options.resources, progress, interrupt.token());
+  if (has_exclusive(agenda))
+    seat->keep_alone();
+  else
+    seat->open();
+  const Summary summary = run_shared(store, plans, std::move(agenda), options.resources, progress, interrupt.token());
   progress.close();
   print_summary(summary, options.store);
   return exit_code(summary);
@@ -104,7 +130,10 @@ void declare_run(CommandLine& line) {
          "Memory that the budgets of jobs running at a time may add up to, in MB; default: all memory")
       ->type_name("MB")
       ->check(CLI::PositiveNumber);
-  app.add_flag("--retry-limited", options->retry_limited, "Run jobs again that ran out of time or memory");
+  app.add_flag("--retry-limited", options->retry_limited,
+               "Run jobs again that ran out of time, and those that ran out of less memory than they may have now");
+  CLI::Option* wait = app.add_flag("--wait", options->wait, "If another run has the store: wait for its end");
+  app.add_flag("--join", options->join, "If another run has the store: work beside it on other jobs")->excludes(wait);
   add_store_option(app, options->store);
 }
 

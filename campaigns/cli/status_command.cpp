@@ -1,5 +1,6 @@
 // tamp status: shows how the campaigns of a store stand.
 #include "campaigns/cli/command.h"
+#include "campaigns/cli/first_line.h"
 #include "campaigns/cli/names.h"
 #include "campaigns/cli/open_store.h"
 #include "engine/base/error.h"
@@ -8,7 +9,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,53 +20,40 @@ namespace {
 /// Not-ok jobs that are listed with their reasons; the rest is counted.
 constexpr std::size_t kListed = 20;
 
-std::string first_line(const std::string& text) {
-  return text.substr(0, text.find('\n'));
-}
-
-void print_not_ok(const Store& store, const std::vector<StoredJob>& jobs,
-                  const std::map<std::string, Outcome>& outcomes) {
+/// Those of one kind with their reasons.
+void print_unsuccessful(const Store& store, const std::vector<Unsuccessful>& jobs, JobKind kind) {
   std::size_t listed = 0;
   std::size_t further = 0;
-  for (const StoredJob& job : jobs) {
-    const auto found = outcomes.find(job.key);
-    if (found == outcomes.end() || found->second == Outcome::ok)
+  for (const Unsuccessful& job : jobs) {
+    if (job.kind != kind)
       continue;
     if (++listed > kListed) {
       ++further;
       continue;
     }
     const std::optional<Record> record = store.find(job.key);
-    fmt::print("  {}  {}: {}: {}\n", short_key(job.key), job_name(job.label, job.point, job.replicate),
-               name_of(found->second), record ? first_line(record->reason) : "");
+    fmt::print("  {}  {}{}: {}: {}\n", short_key(job.key), kind == JobKind::metric ? job.name + " of " : "",
+               job_name(job.packing.label, job.packing.point, job.packing.replicate), name_of(job.outcome),
+               record ? first_line(record->reason) : "");
   }
   if (further > 0)
-    fmt::print("  and {} more that are not ok; `tamp results` lists them\n", further);
+    fmt::print("  and {} more {}that are not ok; `tamp results` lists them\n", further,
+               kind == JobKind::metric ? "metrics " : "");
 }
 
-/// Metrics that failed on packings of the campaign.
-void print_failed_metrics(const Store& store, const std::vector<StoredJob>& jobs) {
-  for (const StoredJob& job : jobs) {
-    for (const Record& record : store.metric_records(job.key)) {
-      if (record.outcome != Outcome::ok)
-        fmt::print("  {}  {} of {}: {}: {}\n", short_key(record.key), record.name,
-                   job_name(job.label, job.point, job.replicate), name_of(record.outcome), first_line(record.reason));
-    }
-  }
-}
-
-void print_campaign(const Store& store, const StoredCampaign& campaign,
-                    const std::map<std::string, Outcome>& outcomes) {
-  const std::vector<StoredJob> jobs = store.campaign_jobs(campaign.name);
+void print_campaign(const Store& store, const StoredCampaign& campaign) {
+  const CampaignExtent extent = store.campaign_extent(campaign.name);
+  const std::vector<Unsuccessful> unsuccessful = store.unsuccessful(campaign.name);
   OutcomeCounts counts{};
-  for (const StoredJob& job : jobs) {
-    if (const auto found = outcomes.find(job.key); found != outcomes.end())
-      ++counts[static_cast<std::size_t>(found->second)];
+  for (const Unsuccessful& job : unsuccessful) {
+    if (job.kind == JobKind::generation)
+      ++counts[static_cast<std::size_t>(job.outcome)];
   }
-  fmt::print("{} ({}): {} of {} packings recorded: {}\n", campaign.name, campaign.file, total(counts), jobs.size(),
+  counts[static_cast<std::size_t>(Outcome::ok)] = extent.recorded - total(counts);
+  fmt::print("{} ({}): {} of {} packings recorded: {}\n", campaign.name, campaign.file, extent.recorded, extent.planned,
              in_words(counts));
-  print_not_ok(store, jobs, outcomes);
-  print_failed_metrics(store, jobs);
+  print_unsuccessful(store, unsuccessful, JobKind::generation);
+  print_unsuccessful(store, unsuccessful, JobKind::metric);
 }
 
 /// Whether somebody runs jobs on the store; where the lock cannot be opened (a read-only place) nobody does from here.
@@ -80,10 +67,9 @@ bool is_in_use(const Store& store) {
 
 int status(const std::string& folder) {
   const Store store = open_for_reading(folder);
-  const std::map<std::string, Outcome> outcomes = store.outcomes(JobKind::generation);
   const std::vector<StoredCampaign> campaigns = store.campaigns();
   for (const StoredCampaign& campaign : campaigns)
-    print_campaign(store, campaign, outcomes);
+    print_campaign(store, campaign);
   if (campaigns.empty())
     fmt::print("no campaign has been run in {}\n", folder);
   if (is_in_use(store))

@@ -4,6 +4,7 @@
 #include "engine/base/system.h"
 
 #include <sched.h>
+#include <sys/resource.h>
 #include <sys/utsname.h>
 #include <unistd.h>
 
@@ -74,6 +75,39 @@ std::array<double, 3> load_average() {
   if (::getloadavg(load.data(), 3) != 3)
     return {};
   return load;
+}
+
+std::string frequency_governor(int core) {
+  std::ifstream file("/sys/devices/system/cpu/cpu" + std::to_string(core) + "/cpufreq/scaling_governor");
+  std::string name;
+  std::getline(file, name);
+  return name;
+}
+
+double stolen_seconds(const std::vector<int>& cores) {
+  constexpr int fields_before_steal = 7; // user nice system idle iowait irq softirq
+  double ticks = 0;
+  for (const int core : cores) {
+    std::ifstream file("/proc/stat");
+    const std::string name = "cpu" + std::to_string(core);
+    for (std::string word; file >> word;) {
+      if (word != name) {
+        std::getline(file, word);
+        continue;
+      }
+      double field = 0;
+      for (int i = 0; i <= fields_before_steal; ++i)
+        file >> field;
+      ticks += field;
+      break;
+    }
+  }
+  return ticks / static_cast<double>(::sysconf(_SC_CLK_TCK));
+}
+
+std::int64_t involuntary_switches() {
+  rusage usage{};
+  return ::getrusage(RUSAGE_SELF, &usage) == 0 ? usage.ru_nivcsw : 0;
 }
 
 std::string to_utc(std::chrono::system_clock::time_point time) {

@@ -28,6 +28,15 @@ std::vector<int> usable_cores();
 /// Runnable processes averaged over 1, 5 and 15 minutes; zeros if unknown.
 std::array<double, 3> load_average();
 
+/// The frequency governor of a core ("performance", "powersave"); empty if the kernel does not tell.
+std::string frequency_governor(int core);
+
+/// Time that a hypervisor has taken from these cores since the machine started, in seconds; only differences count.
+double stolen_seconds(const std::vector<int>& cores);
+
+/// How often this process has been taken off its cores against its will.
+std::int64_t involuntary_switches();
+
 /// A time as "2024-05-17T08:09:10.123456Z".
 std::string to_utc(std::chrono::system_clock::time_point time);
 std::string utc_now();

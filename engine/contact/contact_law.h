@@ -8,6 +8,7 @@
 #include "engine/contact/jkr.h"
 #include "engine/contact/rolling.h"
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -52,6 +53,8 @@ struct ContactLaw {
   [[no_unique_address]] Rolling rolling = {};
 
   static constexpr bool turns = Friction::turns;
+  /// Whether a contact may outlast touching, by a neck.
+  static constexpr bool holds_at_a_gap = !std::is_empty_v<typename Normal::Memory>;
 
   /// What a contact remembers from step to step; an empty type if no effect needs any memory.
   template <int D>
@@ -60,12 +63,22 @@ struct ContactLaw {
   /// Whether a pair is in contact at this overlap (negative: a gap), given its history, which learns of the answer.
   template <int D>
   bool touches(double overlap, double radius, History<D>& history) const {
-    if constexpr (std::is_empty_v<typename Normal::Memory>) {
+    if constexpr (!holds_at_a_gap) {
       return overlap > 0;
     } else {
       history.touching = history.touching ? overlap > -normal.reach(radius) : overlap > 0;
       return history.touching;
     }
+  }
+
+  /// Of a contact, against what moves its bodies most: normal motion, dF/dδ = 2 E* a of Hertz, or sliding, in which
+  /// turning helps. gyration: moment of inertia divided by m r².
+  [[nodiscard]] double stiffness(double overlap, double radius, [[maybe_unused]] double gyration) const {
+    const double a = normal.at(overlap, radius).contact_radius;
+    double k = 2 * normal.modulus * a;
+    if constexpr (turns)
+      k = std::max(k, 8 * friction.shear_modulus * a * (1 + 1 / gyration));
+    return k;
   }
 
   /// Force along the normal alone; for laws without friction that is all.

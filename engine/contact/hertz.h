@@ -49,4 +49,14 @@ inline double hertz_collision_time(double modulus, double radius, double mass, d
   return factor * hertz_largest_overlap(modulus, radius, mass, speed) / speed;
 }
 
+/// E* at which a contact bears a force F at an overlap δ: 3 F/(4 √R δ^{3/2}).
+inline double hertz_modulus(double force, double radius, double overlap) {
+  return 0.75 * force / (std::sqrt(radius) * std::pow(overlap, 1.5));
+}
+
+/// Stiffness 2 E* a of a contact under a force F: 2 (3/4 F R)^{1/3} E*^{2/3} (from the same equations).
+inline double hertz_stiffness(double modulus, double radius, double force) {
+  return 2 * std::cbrt(0.75 * force * radius * modulus * modulus);
+}
+
 } // namespace tamp

@@ -20,16 +20,16 @@ Vec<D> slide(Vec<D>& stretch, const Vec<D>& normal, const Vec<D>& velocity, doub
              double limit, double dt) {
   const double out = stretch.dot(normal);
   if (std::abs(out) * stiffness > kTurnTolerance * limit) {
-    const double length = stretch.norm();
+    const double length2 = stretch.squaredNorm();
     stretch -= out * normal;
-    const double left = stretch.norm();
-    stretch *= left > 0 ? length / left : 0.0;
+    const double left2 = stretch.squaredNorm();
+    stretch *= left2 > 0 ? std::sqrt(length2 / left2) : 0.0;
   }
   stretch += velocity * dt;
   Vec<D> force = -stiffness * stretch - damping * velocity;
-  const double size = force.norm();
-  if (size > limit) {
-    force *= limit / size;
+  const double size2 = force.squaredNorm();
+  if (size2 > limit * limit) { // a root only for what slips
+    force *= limit / std::sqrt(size2);
     stretch = -(force + damping * velocity) / stiffness;
   }
   return force;

@@ -1,7 +1,8 @@
-// Isostatic compression of frictionless spheres in a periodic box: until they jam, or at a prescribed packing fraction.
+// Isostatic compression of spheres in a periodic box: until they jam, or at a prescribed packing fraction.
 #pragma once
 
 #include "engine/base/vec.h"
+#include "engine/dem/effects.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -11,7 +12,8 @@
 
 namespace tamp {
 
-/// What to compress. Lengths in any unit.
+/// What to compress. Lengths in any unit; without friction and adhesion that is all, else the contacts' numbers are in
+/// any units consistent with it.
 template <int D>
 struct CompressTask {
   Vec<D> size;                   ///< box at the start; its shape stays
@@ -20,9 +22,18 @@ struct CompressTask {
 
   double target_phi = std::numeric_limits<double>::quiet_NaN(); ///< NaN: until jammed
   double overlap = 1e-4;     ///< largest overlap tolerated at the end, relative to the smaller radius
-  double pressure = 1e-2;    ///< of the compression, in units of the contacts' modulus: the order of relative overlaps
+  double pressure = 1e-2;    ///< of the compression, in units of the contacts' modulus: the order of relative overlaps;
+                             ///< not of spheres that rub or adhere
   double rate = 1e-3;        ///< the box edge shrinks by at most this share in one step
   double stop_strain = 1e-4; ///< a stage ends when the volume changes by less than this share in 100 evaluations
+
+  ContactEffects effects = {};
+  double load = 1;            ///< pressure on the box, of spheres that rub or adhere
+  double modulus = 0;         ///< their E* to start with
+  double largest_modulus = 0; ///< contacts are stiffened up to this where they overlap too much
+  double poisson = 0.3;       ///< of both bodies of a contact
+  double friction = 0;        ///< Coulomb's μ
+  double adhesion = 0;        ///< W
 
   std::filesystem::path checkpoint = {}; ///< file to keep the state in and to go on from; empty: none
   double checkpoint_every_s = 60;        ///< wall-clock seconds
@@ -42,8 +53,10 @@ struct Compressed {
   std::vector<double> positions; ///< in the box
   double phi = 0;                ///< volume of the spheres over that of the box; overlaps count twice
   double overlap = 0;            ///< largest, relative to the smaller radius
-  double nearest = 1;            ///< smallest ratio of a distance of centres to the sum of radii, at most 1
-  double pressure = 0;
+  double pressure = 0; ///< in units of the contacts' modulus; of spheres that rub or adhere in those of the task
+  double modulus = 0;  ///< E* at the end, of spheres that rub or adhere
+  std::int64_t stiffenings = 0; ///< times their contacts were made stiffer
+  std::int64_t halvings = 0;    ///< steps found unstable, halved, and redone from the last good look
   double force_balance = 0;     ///< rms net force of the spheres that are touched, in mean contact forces
   std::int64_t evaluations = 0; ///< of all forces
   std::int64_t list_rebuilds = 0;

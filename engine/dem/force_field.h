@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace tamp {
@@ -27,33 +28,51 @@ struct ContactSummary {
   }
 };
 
-/// Spheres in a box under gravity. Every sum over the contacts of a sphere goes in the order of the near list, which
+/// What loads the spheres beside their contacts: their weight ...
+struct Weight {
+  static constexpr bool presses = false;
+};
+/// ... or a pressure on their box, which asks for the virial of the contacts and for no weight.
+struct Pressing {
+  static constexpr bool presses = true;
+};
+
+/// Spheres in a box under a load. Every sum over the contacts of a sphere goes in the order of the near list, which
 /// only depends on who touches whom: the same bits on any number of threads and whenever the list was built.
-template <int D, class Law>
+template <int D, class Law, class LoadKind = Weight>
 class ForceField {
 public:
   using History = typename Law::template History<D>;
   static constexpr bool remembers = !std::is_empty_v<History>;
 
   /// skin: margin of the near list, a length; it decides speed alone.
-  ForceField(Law law, const SearchBox<D>& box, const Vec<D>& gravity, double skin)
-      : law_(std::move(law)), box_(box), gravity_(gravity), skin_(skin) {}
+  ForceField(Law law, const SearchBox<D>& box, double skin) : law_(std::move(law)), box_(box), skin_(skin) {}
 
   [[nodiscard]] const Law& law() const { return law_; }
   [[nodiscard]] const SearchBox<D>& box() const { return box_; }
-  [[nodiscard]] const Vec<D>& gravity() const { return gravity_; }
   [[nodiscard]] const CandidateList<D>& near() const { return near_; }
   [[nodiscard]] std::uint64_t rebuilds() const { return rebuilds_; }
   [[nodiscard]] const Memories<D, Law>& memories() const { return memories_; }
 
   /// Sets force (and torque) of every sphere at its present place; moves the memory of contacts by dt.
   void evaluate(State<D, Law>& state, double dt) {
-    if (near_.stale(state.centre))
+    if (near_.stale(box_.size, state.centre))
       rebuild(state);
+    if constexpr (LoadKind::presses)
+      virials_.resize(near_.pairs().size());
     if (threads_for(state.count()) > 1)
       gather(state, dt);
     else
       scatter(state, dt);
+  }
+
+  /// Goes on in a periodic box of another size, to which the spheres have been taken along.
+  void resize(const Vec<D>& size) { box_.size = size; }
+
+  /// Σ f·d over the contacts of the last evaluate(): D times pressure times volume. Friction pulls across d.
+  [[nodiscard]] double virial() const {
+    static_assert(LoadKind::presses);
+    return sum_by_sphere([&](std::size_t p) { return virials_[p]; });
   }
 
   /// Lists the near pairs anew; the memory of contacts that stay is kept.
@@ -86,6 +105,38 @@ public:
       memories_.of_pair = carried_over(pairs, memories.of_pair, near_.pairs());
       memories_.of_wall = carried_over(walls, memories.of_wall, near_.walls());
     }
+  }
+
+  /// For each sphere the sum of its contacts' stiffnesses, as Law::stiffness() has them.
+  [[nodiscard]] std::vector<double> stiffness(const State<D, Law>& state, double gyration) const {
+    std::vector<double> sums(state.count(), 0.0);
+    const auto stiffness_of = [&](const Contact<D>& contact, History history) {
+      return law_.template touches<D>(contact.overlap, contact.radius, history)
+                 ? law_.stiffness(contact.overlap, contact.radius, gyration)
+                 : 0.0;
+    };
+    for (std::size_t p = 0; p < near_.pairs().size(); ++p) {
+      const NearPair<D>& pair = near_.pairs()[p];
+      const double k = stiffness_of(contact_of(state, pair), memory_of_pair(p));
+      sums[pair.i] += k;
+      sums[pair.j] += k;
+    }
+    for (std::size_t w = 0; w < near_.walls().size(); ++w)
+      sums[near_.walls()[w].i] += stiffness_of(contact_of(state, near_.walls()[w]), memory_of_wall(w));
+    return sums;
+  }
+
+  /// Σ k d² of normal motion: what the contacts set against a stretch of the whole box.
+  [[nodiscard]] double stretch_stiffness(const State<D, Law>& state) const {
+    return sum_by_sphere([&](std::size_t p) {
+      const Contact<D> contact = contact_of(state, near_.pairs()[p]);
+      History history = memory_of_pair(p);
+      if (!law_.template touches<D>(contact.overlap, contact.radius, history))
+        return 0.0;
+      const double distance = state.radius[near_.pairs()[p].i] + state.radius[near_.pairs()[p].j] - contact.overlap;
+      return 2 * law_.normal.modulus * law_.normal.at(contact.overlap, contact.radius).contact_radius * distance *
+             distance;
+    });
   }
 
   [[nodiscard]] ContactSummary summary(const State<D, Law>& state) const {
@@ -185,16 +236,26 @@ private:
 
   bool pair_load(const State<D, Law>& s, std::size_t p, double dt, Load& load) {
     const NearPair<D>& pair = near_.pairs()[p];
+    if constexpr (LoadKind::presses)
+      virials_[p] = 0;
     return with_memory(pair_memories(), p, [&](History& history) {
-      if constexpr (!remembers) { // most near pairs do not touch: no root for them
+      if constexpr (!Law::holds_at_a_gap) { // most near pairs do not touch: no root for them
         const double sum = s.radius[pair.i] + s.radius[pair.j];
-        if (apart(s, pair).squaredNorm() >= sum * sum)
+        if (apart(s, pair).squaredNorm() >= sum * sum) {
+          history = {};
           return false;
+        }
       }
       Turning<D> turning{};
       if constexpr (Law::turns)
         turning = {s.radius[pair.i], s.radius[pair.j], s.spin[pair.i], s.spin[pair.j]};
-      return load_of(contact_of(s, pair), turning, history, dt, load);
+      const Contact<D> contact = contact_of(s, pair);
+      const bool acts = load_of(contact, turning, history, dt, load);
+      if constexpr (LoadKind::presses) {
+        if (acts)
+          virials_[p] = force_of(load).dot(contact.normal) * (s.radius[pair.i] + s.radius[pair.j] - contact.overlap);
+      }
+      return acts;
     });
   }
 
@@ -208,26 +269,30 @@ private:
     });
   }
 
+  static const Vec<D>& force_of(const Load& load) {
+    if constexpr (Law::turns)
+      return load.force;
+    else
+      return load;
+  }
+
   void clear(State<D, Law>& s, std::size_t i) const {
-    s.force[i] = s.mass[i] * gravity_;
+    if constexpr (LoadKind::presses)
+      s.force[i].setZero();
+    else
+      s.force[i] = -s.weight[i] * Vec<D>::Unit(vertical<D>);
     if constexpr (Law::turns)
       s.torque[i] = zero_spin<D>();
   }
   static void add_first(State<D, Law>& s, std::size_t i, const Load& load) {
-    if constexpr (Law::turns) {
-      s.force[i] += load.force;
+    s.force[i] += force_of(load);
+    if constexpr (Law::turns)
       s.torque[i] += load.torque_i;
-    } else {
-      s.force[i] += load;
-    }
   }
   static void add_second(State<D, Law>& s, std::size_t j, const Load& load) {
-    if constexpr (Law::turns) {
-      s.force[j] -= load.force;
+    s.force[j] -= force_of(load);
+    if constexpr (Law::turns)
       s.torque[j] += load.torque_j;
-    } else {
-      s.force[j] -= load;
-    }
   }
 
   /// One thread: each load is added to both spheres as it is found.
@@ -269,10 +334,23 @@ private:
     });
   }
 
+  /// Σ f(pair), grouped by spheres: pairs that do not touch give 0, and so the list itself leaves no trace in the bits.
+  template <class F>
+  [[nodiscard]] double sum_by_sphere(F&& f) const {
+    return parallel_sum<double>(first_contact_.empty() ? 0 : first_contact_.size() - 1, [&](std::size_t i) {
+      double sum = 0;
+      for (std::size_t p = first_pair_[i]; p < first_pair_[i + 1]; ++p)
+        sum += f(p);
+      return sum;
+    });
+  }
+
   /// For each sphere the contacts of the list that it takes part in, in the list's order.
   void index_contacts(std::size_t n) {
     first_contact_.assign(n + 1, 0);
+    first_pair_.assign(n + 1, 0);
     for (const auto& pair : near_.pairs()) {
+      ++first_pair_[pair.i + 1];
       ++first_contact_[pair.i + 1];
       ++first_contact_[pair.j + 1];
     }
@@ -280,6 +358,7 @@ private:
       ++first_contact_[wall.i + 1];
     for (std::size_t i = 0; i < n; ++i)
       first_contact_[i + 1] += first_contact_[i];
+    std::partial_sum(first_pair_.begin(), first_pair_.end(), first_pair_.begin());
     contacts_of_.resize(first_contact_[n]);
     std::vector<std::uint32_t> next(first_contact_.begin(), first_contact_.end() - 1);
     std::uint32_t c = 0;
@@ -307,12 +386,13 @@ private:
 
   Law law_;
   SearchBox<D> box_;
-  Vec<D> gravity_;
   double skin_;
   CandidateList<D> near_;
   [[no_unique_address]] Memories<D, Law> memories_;
+  std::vector<std::uint32_t> first_pair_;    // of each sphere as the first of a pair
   std::vector<std::uint32_t> first_contact_; // of each sphere in contacts_of_
   std::vector<std::uint32_t> contacts_of_;   // pairs by number, then walls
+  std::vector<double> virials_;              // of the pairs, under pressure
   std::vector<Load> loads_;
   std::vector<std::uint8_t> acts_;
   std::uint64_t rebuilds_ = 0;

@@ -14,8 +14,13 @@ void CandidateList<D>::build(const SearchBox<D>& box, std::span<const Vec<D>> ce
   const std::size_t n = radii.size();
   skin_ = skin;
   built_at_.assign(centres.begin(), centres.end());
+  built_size_ = box.size;
+  bare_.resize(n);
   std::vector<double> inflated(n);
-  parallel_for(n, [&](std::size_t i) { inflated[i] = radii[i] + hold[i] + skin; });
+  parallel_for(n, [&](std::size_t i) {
+    bare_[i] = radii[i] + hold[i];
+    inflated[i] = bare_[i] + skin;
+  });
   pairs_.clear();
   walls_.clear();
   has_wall_ = false;
@@ -58,17 +63,22 @@ void CandidateList<D>::build(const SearchBox<D>& box, std::span<const Vec<D>> ce
   std::sort(walls_.begin(), walls_.end());
 }
 
+/// A pair that is not listed was at least the sum of both spheres' b + skin apart, b being radius with hold. The box
+/// has shrunk by λ, and each sphere is d from where that took it: the pair is at least λ (b + skin) − d for each of the
+/// two apart, and does not touch while d ≤ λ (b + skin) − b.
 template <int D>
-bool CandidateList<D>::stale(std::span<const Vec<D>> centres) const {
+bool CandidateList<D>::stale(const Vec<D>& size, std::span<const Vec<D>> centres) const {
   const std::size_t n = centres.size();
   if (n != built_at_.size())
     return true;
+  const Vec<D> ratio = size.cwiseQuotient(built_size_);
+  const double shrink = n > 0 ? ratio.minCoeff() : 1;
   struct Furthest {
     double from_start = 0;
-    double from_common = 0;
+    bool beyond = false;
     void operator+=(const Furthest& other) {
       from_start = std::max(from_start, other.from_start);
-      from_common = std::max(from_common, other.from_common);
+      beyond = beyond || other.beyond;
     }
   };
   struct Sum {
@@ -76,14 +86,15 @@ bool CandidateList<D>::stale(std::span<const Vec<D>> centres) const {
     void operator+=(const Vec<D>& v) { moved += v; }
     void operator+=(const Sum& other) { moved += other.moved; }
   };
-  const Vec<D> common = parallel_sum<Sum>(n, [&](std::size_t i) { return Vec<D>(centres[i] - built_at_[i]); }).moved /
-                        static_cast<double>(std::max<std::size_t>(n, 1));
+  const auto moved_by = [&](std::size_t i) { return Vec<D>(centres[i] - ratio.cwiseProduct(built_at_[i])); };
+  const Vec<D> common = parallel_sum<Sum>(n, moved_by).moved / static_cast<double>(std::max<std::size_t>(n, 1));
   const auto furthest = parallel_sum<Furthest>(n, [&](std::size_t i) {
-    const Vec<D> moved = centres[i] - built_at_[i];
-    return Furthest{moved.squaredNorm(), (moved - common).squaredNorm()};
+    const Vec<D> moved = moved_by(i);
+    const double allowed = shrink * (bare_[i] + skin_) - bare_[i];
+    return Furthest{moved.squaredNorm(), !(allowed > 0 && (moved - common).squaredNorm() <= allowed * allowed)};
   });
   // Pairs part by what their spheres move apart from the common way; walls have two skins for the whole way of one.
-  return furthest.from_common > skin_ * skin_ || (has_wall_ && furthest.from_start > 4 * skin_ * skin_);
+  return furthest.beyond || (has_wall_ && furthest.from_start > 4 * skin_ * skin_);
 }
 
 template class CandidateList<2>;

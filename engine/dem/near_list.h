@@ -38,7 +38,8 @@ struct NearWall {
 
 /// Every pair and wall whose gap is at most the sum of two margins, one of each sphere (a wall's is 0). A sphere's
 /// margin is the `hold` by which its contacts outlast touching, plus `skin`, the same length for all: while no sphere
-/// has moved further than the skin, apart from what all have moved alike, the list has every pair that can touch.
+/// has moved further than the skin, apart from what all have moved alike and what the box took along as it shrank, the
+/// list has every pair that can touch.
 /// Contacts of a sphere with its own image are left out: their forces cancel.
 template <int D>
 class CandidateList {
@@ -47,8 +48,8 @@ public:
   void build(const SearchBox<D>& box, std::span<const Vec<D>> centres, std::span<const double> radii,
              std::span<const double> hold, double skin);
 
-  /// Whether some sphere has moved too far since the list was built.
-  [[nodiscard]] bool stale(std::span<const Vec<D>> centres) const;
+  /// Whether some sphere has moved too far since the list was built, in a box that now has this size.
+  [[nodiscard]] bool stale(const Vec<D>& size, std::span<const Vec<D>> centres) const;
 
   [[nodiscard]] std::span<const NearPair<D>> pairs() const { return pairs_; }
   [[nodiscard]] std::span<const NearWall> walls() const { return walls_; }
@@ -57,6 +58,8 @@ private:
   std::vector<NearPair<D>> pairs_;
   std::vector<NearWall> walls_;
   std::vector<Vec<D>> built_at_;
+  std::vector<double> bare_; // radius with hold
+  Vec<D> built_size_ = Vec<D>::Zero();
   double skin_ = 0;
   bool has_wall_ = false; // a wall does not move with the spheres
 };

@@ -1,7 +1,9 @@
-// The frictionless overlap energy of periodic spheres: forces, virial and stiffness in one loop over a neighbour list.
+// The frictionless overlap energy of spheres: forces, virial and stiffness in one loop over a neighbour list.
 #pragma once
 
 #include "engine/base/parallel.h"
+#include "engine/contact/hertz.h"
+#include "engine/contact/material.h"
 #include "engine/search/neighbour_list.h"
 
 #include <algorithm>
@@ -14,11 +16,34 @@
 
 namespace tamp {
 
+/// What an elastic contact answers with.
+struct Repulsion {
+  double force;
+  double stiffness; ///< dF/dδ
+  double energy;
+};
+
 /// Harmonic repulsion with modulus 1: E = k δ²/2, k = r^(D−2), r the smaller radius. Then a pressure p gives relative
 /// overlaps δ/r of the order of p whatever the sizes: the force p r^(D−1) of a contact over k r is p.
 template <int D>
 struct Harmonic {
   [[nodiscard]] static double stiffness(double smaller_radius) { return D == 3 ? smaller_radius : 1.0; }
+  [[nodiscard]] static Repulsion at(double overlap, double smaller_radius, double /*larger_radius*/) {
+    const double k = stiffness(smaller_radius);
+    return {k * overlap, k, 0.5 * k * overlap * overlap};
+  }
+};
+
+/// Hertz's contact, F ∝ δ^{3/2}, of two spheres or of a sphere and a wall.
+struct HertzRepulsion {
+  Hertz law{};
+  [[nodiscard]] Repulsion at(double overlap, double smaller_radius, double larger_radius) const {
+    return at(overlap, effective(smaller_radius, larger_radius));
+  }
+  [[nodiscard]] Repulsion at(double overlap, double effective_radius) const {
+    const NormalForce contact = law.at(overlap, effective_radius);
+    return {contact.force, 2 * law.modulus * contact.contact_radius, 0.4 * contact.force * overlap};
+  }
 };
 
 /// Sums over all contacts.
@@ -29,7 +54,6 @@ struct ContactSums {
   double force = 0;    ///< Σ f
   double contacts = 0; ///< their number
   double deepest = 0;  ///< largest δ/r
-  double nearest = 1;  ///< smallest d over the sum of the radii
   void operator+=(const ContactSums& other) {
     energy += other.energy;
     virial += other.virial;
@@ -37,13 +61,12 @@ struct ContactSums {
     force += other.force;
     contacts += other.contacts;
     deepest = std::max(deepest, other.deepest);
-    nearest = std::min(nearest, other.nearest);
   }
 };
 
 /// Evaluates forces block by block. A block adds to its own spheres at once and keeps what it owes to others; debts are
 /// paid in the order of the blocks. So every sum has one order, on any number of threads.
-template <int D>
+template <int D, class Law = Harmonic<D>>
 class OverlapForces {
 public:
   /// Spheres of a block; fixed, as the blocks decide the order of sums.
@@ -51,9 +74,9 @@ public:
 
   /// Sets the forces (D numbers a sphere) and, if `stiffness` is not empty, Σ k over the contacts of each sphere.
   ContactSums evaluate(const NeighbourList<D>& list, std::span<const double> positions, std::span<const double> radii,
-                       std::span<double> forces, std::span<double> stiffness) {
-    return stiffness.empty() ? run<false>(list, positions, radii, forces, stiffness)
-                             : run<true>(list, positions, radii, forces, stiffness);
+                       std::span<double> forces, std::span<double> stiffness, const Law& law = {}) {
+    return stiffness.empty() ? run<false>(list, positions, radii, forces, stiffness, law)
+                             : run<true>(list, positions, radii, forces, stiffness, law);
   }
 
 private:
@@ -65,7 +88,7 @@ private:
 
   template <bool with_stiffness>
   ContactSums run(const NeighbourList<D>& list, std::span<const double> positions, std::span<const double> radii,
-                  std::span<double> forces, std::span<double> stiffness) {
+                  std::span<double> forces, std::span<double> stiffness, const Law& law) {
     const std::size_t n = radii.size();
     const std::size_t blocks = (n + kBlock - 1) / kBlock;
     debts_.resize(blocks);
@@ -84,7 +107,6 @@ private:
       for (std::size_t i = begin; i < end; ++i) {
         const Vec<D> x = Eigen::Map<const Vec<D>>(positions.data() + i * D);
         const double r = radii[i];
-        const double k = Harmonic<D>::stiffness(r);
         Vec<D> on_i = Vec<D>::Zero();
         double k_i = 0;
         for (const Neighbour neighbour : list.of(i)) {
@@ -96,17 +118,16 @@ private:
             continue;
           const double distance = std::sqrt(squared);
           const double overlap = touching - distance;
-          const double f = k * overlap;
+          const auto [f, k, energy] = law.at(overlap, r, radii[j]);
           // Spheres whose centres coincide part along the first axis.
           const Vec<D> load = distance > 0 ? Vec<D>(f / distance * across) : Vec<D>(f * Vec<D>::Unit(0));
           on_i -= load;
-          sums.energy += 0.5 * f * overlap;
+          sums.energy += energy;
           sums.virial += f * distance;
           sums.stretch += k * squared;
           sums.force += f;
           sums.contacts += 1;
           sums.deepest = std::max(sums.deepest, overlap / r);
-          sums.nearest = std::min(sums.nearest, distance / touching);
           if constexpr (with_stiffness)
             k_i += k;
           if (j >= begin && j < end) {

@@ -2,41 +2,19 @@
 #include "engine/dem/settle.h"
 
 #include "engine/base/error.h"
+#include "engine/dem/relax.h"
 #include "engine/dem/settle_run.h"
 
 namespace tamp {
 
 namespace {
 
-template <class Normal>
-Normal normal_law(double modulus, double adhesion) {
-  if constexpr (Normal::adheres)
-    return {modulus, adhesion};
-  else
-    return {modulus};
-}
-
 /// Follows the motion in time, under damping.
 template <int D, class Normal, class Friction>
 Settled<D> integrate(const SettleTask<D>& task) {
-  using Law = ContactLaw<Normal, TsujiDamping, Friction>;
-  const auto make_law = [&](double modulus) {
-    Law law{normal_law<Normal>(modulus, task.adhesion), {damping_of_restitution(task.restitution)}};
-    if constexpr (Friction::turns) {
-      // Two bodies of one material: E* = E/(2(1 − ν²)), so G* follows from E* and ν.
-      const Elastic solid{2 * (1 - task.poisson * task.poisson) * modulus, task.poisson};
-      law.friction = {effective_shear_modulus(solid, solid), task.friction, 1};
-    }
-    return law;
-  };
-  return SettleRun<D, Law, VerletMover>(task, make_law).run();
-}
-
-/// Minimises the energy of elastic contacts and weight.
-template <int D>
-Settled<D> minimise(const SettleTask<D>& task) {
-  return SettleRun<D, ContactLaw<Hertz>, FireMover>(task, [](double modulus) { return ContactLaw<Hertz>{{modulus}}; })
-      .run();
+  const ContactNumbers numbers{task.poisson, task.friction, task.restitution, task.adhesion};
+  const auto make_law = [&](double modulus) { return contact_law<Normal, TsujiDamping, Friction>(numbers, modulus); };
+  return SettleRun<D, ContactLaw<Normal, TsujiDamping, Friction>>(task, make_law).run();
 }
 
 template <int D>
@@ -48,7 +26,7 @@ struct Row {
 
 template <int D>
 constexpr Row<D> kKernels[] = {
-    {{AdhesionLaw::none, false}, true, &minimise<D>},
+    {{AdhesionLaw::none, false}, true, &relax<D>},
     {{AdhesionLaw::none, false}, false, &integrate<D, Hertz, NoFriction>},
     {{AdhesionLaw::none, true}, false, &integrate<D, Hertz, Mindlin>},
     {{AdhesionLaw::dmt, false}, false, &integrate<D, Dmt, NoFriction>},

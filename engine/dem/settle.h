@@ -3,6 +3,7 @@
 
 #include "engine/base/vec.h"
 #include "engine/contact/material.h"
+#include "engine/dem/effects.h"
 #include "engine/search/contact_search.h"
 
 #include <cstdint>
@@ -12,17 +13,6 @@
 #include <vector>
 
 namespace tamp {
-
-enum class AdhesionLaw { none, dmt, jkr };
-
-/// Which effects a scene calls for. Gravity and elastic contacts are always there; without friction and adhesion the
-/// energy is minimised and there is no motion to damp.
-struct ContactEffects {
-  AdhesionLaw adhesion = AdhesionLaw::none;
-  bool friction = false; ///< with it: rotation and the memory of every contact
-
-  friend bool operator==(const ContactEffects&, const ContactEffects&) = default;
-};
 
 /// A settling task in any consistent units.
 template <int D>

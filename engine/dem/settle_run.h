@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/base/files.h"
-#include "engine/dem/fire.h"
+#include "engine/dem/scaled_inertia.h"
 #include "engine/dem/settle.h"
 #include "engine/dem/state_file.h"
 #include "engine/dem/time_step.h"
@@ -23,60 +23,42 @@ inline constexpr double kDeepest = 0.5;
 inline constexpr double kEnergyRounding = 1e-11;
 /// Looks with little motion in which the imbalance of forces must have halved.
 inline constexpr int kStillLooks = 200;
+/// Steps after which a bed is given up.
+inline constexpr std::int64_t kMostSteps = 3000000;
 /// Halvings after which a run is given up.
 inline constexpr int kMostHalvings = 12;
-/// Stiffenings after which a bed is left as it is; and how much more than needed contacts are stiffened, as a stiffer
-/// bed carries its weight on fewer contacts.
-inline constexpr int kMostStiffenings = 6;
-inline constexpr double kStiffenMargin = 1.3;
+/// Stiffenings after which a bed is left as it is. Contacts become stiffer by at most this factor at once, so that the
+/// bed is not thrown up by what they held; the last one aims at this share of the tolerated overlap. A stage is over
+/// when forces balance to this share of the mean contact force.
+inline constexpr int kMostStiffenings = 40;
+inline constexpr double kStiffening = 2;
+inline constexpr double kStiffenAim = 0.9;
+inline constexpr double kStageBalance = 2e-2;
+/// Stiffening is given up after so many times without an overlap below this share of the least one so far: spheres that
+/// friction holds wedged between their own images stay so, however stiff.
+inline constexpr int kFutileStiffenings = 6;
+inline constexpr double kLessOverlap = 0.95;
+/// A bed whose spheres have two contacts on average and less than this mean kinetic energy (in weight times mean
+/// radius) has its shape; what is left are waves, which contacts hardly damp. From then on inertia is matched to the
+/// stiffness of contacts, every so many steps, and motion is damped by this share of the forces.
+inline constexpr double kShapedKinetic = 0.2;
+inline constexpr int kMatchSteps = 20;
+inline constexpr double kLocalDamping = 0.25;
+/// Beside that, spheres lose this share of their motion whenever inertia is matched: rattlers that roll and turn
+/// freely.
+inline constexpr double kSlowing = 0.01;
 /// Margin of the near list in median radii: a wider one makes the list longer, a narrower one due more often.
-inline constexpr double kSkin = 0.15;
-/// FIRE may take longer steps than an integrator that must follow every collision.
-inline constexpr double kFireStep = 4;
+inline constexpr double kSkin = 0.3;
 
-/// Moves by velocity Verlet.
-struct VerletMover {
-  double dt;
-  static constexpr bool follows_time = true;
-  template <int D, class Law>
-  void step(State<D, Law>& s, ForceField<D, Law>& field) {
-    verlet_step(s, field, dt);
-  }
-  void set_step(double longest) { dt = longest; }
-  void halve() { dt /= 2; }
-  template <class F>
-  void for_each_number(F&& f) {
-    f(dt);
-  }
-};
-
-/// Moves by FIRE.
-struct FireMover {
-  Fire fire;
-  static constexpr bool follows_time = false;
-  template <int D, class Law>
-  void step(State<D, Law>& s, ForceField<D, Law>& field) {
-    fire.step(s, field);
-  }
-  void set_step(double longest) { fire = {longest, kFireStep * longest}; }
-  void halve() { fire = {fire.dt_max / (2 * kFireStep), fire.dt_max / 2}; }
-  template <class F>
-  void for_each_number(F&& f) {
-    f(fire.dt);
-    f(fire.dt_max);
-    f(fire.mixing);
-    f(fire.downhill);
-  }
-};
-
-template <int D, class Law, class Mover>
+template <int D, class Law>
 class SettleRun {
 public:
   /// make_law(E*): the contact law at a stiffness.
   template <class MakeLaw>
   SettleRun(const SettleTask<D>& task, MakeLaw make_law)
-      : task_(task), make_law_(std::move(make_law)), state_(at_rest<D, Law>(task.centres, task.radii, task.masses)),
-        field_(make_law_(task.modulus), task.box, Vec<D>(-task.gravity * Vec<D>::Unit(vertical<D>)), skin(task)) {
+      : task_(task), make_law_(std::move(make_law)),
+        state_(at_rest<D, Law>(task.centres, task.radii, task.masses, task.gravity)),
+        field_(make_law_(task.modulus), task.box, skin(task)) {
     if constexpr (Law::turns) {
       if (task.gyration > 0)
         state_.gyration = task.gyration;
@@ -90,7 +72,8 @@ public:
     for (const double r : task.radii)
       mean_radius_ += r / static_cast<double>(task.radii.size());
     result_.modulus = task.modulus;
-    mover_.set_step(stable_step());
+    make_fines_denser(state_);
+    dt_ = stable_step();
   }
 
   Settled<D> run() {
@@ -100,22 +83,34 @@ public:
     auto saved = std::chrono::steady_clock::now();
     remember();
     while (!done(last)) {
-      for (int k = 0; k < kWatchSteps; ++k)
-        mover_.step(state_, field_);
+      advance();
       result_.steps += kWatchSteps;
       const Look now = look();
       if (unstable(last, now) || jitters(now)) {
+        const bool deep = falling() && !(now.contacts.overlap <= kDeepest);
+        restore();
+        if (deep && stiffen(last)) { // a small sphere between large ones, not a step too long
+          last = look();
+          remember();
+          continue;
+        }
         if (result_.halvings == kMostHalvings)
           return finish(last, false);
         ++result_.halvings;
-        good_mover_.halve();
-        restore();
+        dt_ /= 2;
+        good_dt_ = dt_;
         continue;
       }
       last = now;
-      elapsed_ += kWatchSteps * step_length();
-      if (at_rest_now(last) && last.contacts.overlap > task_.overlap && stiffen(last))
+      if (falling())
+        elapsed_ += kWatchSteps * dt_;
+      if (falling() && has_shape(last)) {
+        leave_the_fall();
         last = look();
+      } else if (!falling() && last.balance <= std::max(kStageBalance, task_.force_balance) &&
+                 last.contacts.overlap > task_.overlap && stiffen(last)) {
+        last = look();
+      }
       remember();
       const auto clock = std::chrono::steady_clock::now();
       if (!task_.checkpoint.empty() &&
@@ -143,30 +138,50 @@ private:
     return kSkin * *middle;
   }
 
-  double step_length() {
-    if constexpr (Mover::follows_time)
-      return mover_.dt;
-    else
-      return mover_.fire.dt;
+  [[nodiscard]] double stable_step() const {
+    const double speed = task_.gravity * fall_time_; // no sphere meets another faster than by a fall from the top
+    return tamp::stable_step(state_.radius, state_.mass, result_.modulus, speed, task_.overlap,
+                             task_.steps_per_collision > 0 ? task_.steps_per_collision : kStepsPerCollision);
   }
 
-  [[nodiscard]] double stable_step() const {
-    double shortest = std::numeric_limits<double>::infinity();
-    // No sphere meets another faster than by a fall from the top.
-    const double speed = Mover::follows_time ? task_.gravity * fall_time_ : 0;
+  /// The fall is followed in time; what comes after it has none.
+  [[nodiscard]] bool falling() const { return matched_dt_ == 0; }
+
+  void advance() {
+    for (int k = 0; k < kWatchSteps; ++k) {
+      if (falling()) {
+        verlet_step(state_, field_, dt_);
+        continue;
+      }
+      if (k % kMatchSteps == 0) {
+        match_inertia();
+        slow_down(state_, kSlowing, kFloatSlowing);
+      }
+      verlet_step(state_, field_, dt_, LocalDamping{kLocalDamping});
+    }
+  }
+
+  void leave_the_fall() {
+    matched_dt_ = dt_;
+    land_floating(state_, field_.box());
     for (std::size_t i = 0; i < state_.count(); ++i)
-      shortest = std::min(shortest,
-                          shortest_collision(result_.modulus, state_.radius[i], state_.mass[i], speed, task_.overlap));
-    return shortest / (task_.steps_per_collision > 0 ? task_.steps_per_collision : kStepsPerCollision);
+      state_.weight[i] = task_.masses[i] * task_.gravity;
+    field_.evaluate(state_, 0);
+    match_inertia();
+    field_.evaluate(state_, 0);
+  }
+
+  void match_inertia() {
+    tamp::match_inertia(state_, field_, matched_dt_, [this](std::size_t i) { return state_.weight[i]; });
   }
 
   [[nodiscard]] Look look() const {
     Look l;
     l.contacts = field_.summary(state_);
     l.kinetic = kinetic_energy(state_);
-    l.total = l.kinetic + l.contacts.energy + task_.gravity * parallel_sum<double>(state_.count(), [&](std::size_t i) {
-                                                return state_.mass[i] * state_.centre[i][vertical<D>];
-                                              });
+    l.total = l.kinetic + l.contacts.energy + parallel_sum<double>(state_.count(), [&](std::size_t i) {
+                return state_.weight[i] * state_.centre[i][vertical<D>];
+              });
     const double net =
         parallel_sum<double>(state_.count(), [&](std::size_t i) { return state_.force[i].squaredNorm(); });
     const double mean_contact = l.contacts.contacts > 0 ? l.contacts.force / l.contacts.contacts : 0;
@@ -186,7 +201,7 @@ private:
   /// Whether forces have stayed out of balance for long though nearly nothing moves: what a step does that is just too
   /// long for the fastest contact, whose swing then neither grows nor dies.
   bool jitters(const Look& now) {
-    if (!Mover::follows_time || mean_kinetic(now) > task_.kinetic_energy || at_rest_now(now)) {
+    if (mean_kinetic(now) > task_.kinetic_energy || at_rest_now(now)) {
       still_looks_ = 0;
       return false;
     }
@@ -200,29 +215,40 @@ private:
 
   [[nodiscard]] double mean_kinetic(const Look& l) const { return l.kinetic / (weight_ * mean_radius_); }
 
+  [[nodiscard]] bool has_shape(const Look& l) const {
+    return l.contacts.contacts >= static_cast<double>(state_.count()) && mean_kinetic(l) <= kShapedKinetic;
+  }
+
   [[nodiscard]] bool at_rest_now(const Look& l) const {
-    return l.balance <= task_.force_balance && (!Mover::follows_time || mean_kinetic(l) <= task_.kinetic_energy);
+    return l.balance <= task_.force_balance && mean_kinetic(l) <= task_.kinetic_energy;
   }
 
   [[nodiscard]] bool done(const Look& l) const {
-    if (elapsed_ > task_.longest * fall_time_)
+    if (elapsed_ > task_.longest * fall_time_ || result_.steps > kMostSteps)
       return true;
     return at_rest_now(l) && (l.contacts.overlap <= task_.overlap || !can_stiffen());
   }
 
   [[nodiscard]] bool can_stiffen() const {
-    return result_.modulus < task_.largest_modulus && result_.stiffenings < kMostStiffenings;
+    return result_.modulus < task_.largest_modulus && result_.stiffenings < kMostStiffenings &&
+           futile_ < kFutileStiffenings;
   }
 
   bool stiffen(const Look& l) {
     if (!can_stiffen())
       return false;
     ++result_.stiffenings;
+    futile_ = l.contacts.overlap < kLessOverlap * least_overlap_ ? 0 : futile_ + 1;
+    least_overlap_ = std::min(least_overlap_, l.contacts.overlap);
     // Under the same force δ ∝ E*^{−2/3}.
-    result_.modulus = std::min(task_.largest_modulus,
-                               kStiffenMargin * result_.modulus * std::pow(l.contacts.overlap / task_.overlap, 1.5));
+    result_.modulus = std::min(
+        task_.largest_modulus,
+        result_.modulus * std::min(kStiffening, std::pow(l.contacts.overlap / (kStiffenAim * task_.overlap), 1.5)));
     field_.set_law(make_law_(result_.modulus), state_);
-    mover_.set_step(stable_step());
+    if (falling())
+      dt_ = std::min(dt_, stable_step());
+    else
+      match_inertia();
     field_.evaluate(state_, 0);
     return true;
   }
@@ -230,12 +256,12 @@ private:
   void remember() {
     good_state_ = state_;
     good_field_ = field_;
-    good_mover_ = mover_;
+    good_dt_ = dt_;
   }
   void restore() {
     state_ = good_state_;
     field_ = good_field_;
-    mover_ = good_mover_;
+    dt_ = good_dt_;
   }
 
   template <class F>
@@ -247,7 +273,10 @@ private:
     f(result_.steps);
     f(result_.halvings);
     f(result_.stiffenings);
-    mover_.for_each_number(f);
+    f(dt_);
+    f(matched_dt_);
+    f(futile_);
+    f(least_overlap_);
   }
 
   void save() {
@@ -266,6 +295,10 @@ private:
     SettleRun fresh = *this;
     for_each_number([&](auto& number) { in.get(number); });
     field_.set_law(make_law_(result_.modulus), state_);
+    if constexpr (Law::turns) {
+      if (!falling())
+        state_.gyration = kMatchedGyration;
+    }
     if (in.good && read_state(in, state_, field_))
       return true;
     *this = std::move(fresh);
@@ -278,7 +311,7 @@ private:
     result_.overlap = l.contacts.overlap;
     result_.force_balance = l.balance;
     result_.kinetic_energy = mean_kinetic(l);
-    result_.step = step_length();
+    result_.step = dt_;
     result_.list_rebuilds = static_cast<std::int64_t>(field_.rebuilds());
     return result_;
   }
@@ -287,11 +320,14 @@ private:
   std::function<Law(double)> make_law_;
   State<D, Law> state_;
   ForceField<D, Law> field_;
-  Mover mover_{};
   State<D, Law> good_state_ = state_; // of the last good look
   ForceField<D, Law> good_field_ = field_;
-  Mover good_mover_{};
+  double good_dt_ = 0;
   Settled<D> result_;
+  double dt_ = 0;
+  double matched_dt_ = 0;   // what inertia is matched to; 0 in the fall
+  std::int64_t futile_ = 0; // stiffenings since the least overlap
+  double least_overlap_ = std::numeric_limits<double>::infinity();
   double elapsed_ = 0;
   std::int64_t still_looks_ = 0; // for how many looks there has been little motion, and the balance at the first
   double still_balance_ = 0;

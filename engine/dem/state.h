@@ -27,15 +27,16 @@ struct State : Rotation<D, Law::turns> {
   std::vector<Vec<D>> velocity;
   std::vector<Vec<D>> force;
   std::vector<double> radius;
-  std::vector<double> mass;
+  std::vector<double> mass;   ///< inertia
+  std::vector<double> weight; ///< the force of gravity, along −e_vertical
 
   [[nodiscard]] std::size_t count() const { return radius.size(); }
 };
 
-/// Spheres at rest.
+/// Spheres at rest under `gravity` along −e_vertical.
 template <int D, class Law>
 State<D, Law> at_rest(const std::vector<Vec<D>>& centres, const std::vector<double>& radii,
-                      const std::vector<double>& masses) {
+                      const std::vector<double>& masses, double gravity) {
   State<D, Law> state;
   const std::size_t n = radii.size();
   state.velocity.assign(n, Vec<D>::Zero());
@@ -47,6 +48,8 @@ State<D, Law> at_rest(const std::vector<Vec<D>>& centres, const std::vector<doub
   state.centre = centres;
   state.radius = radii;
   state.mass = masses;
+  for (const double m : masses)
+    state.weight.push_back(m * gravity);
   return state;
 }
 

@@ -90,16 +90,18 @@ void for_each_memory(History& history, F&& f) {
     f(history.roll);
 }
 
-template <int D, class Law>
-void write_state(ByteWriter& out, const State<D, Law>& s, const ForceField<D, Law>& field) {
+template <int D, class Law, class LoadKind>
+void write_state(ByteWriter& out, const State<D, Law>& s, const ForceField<D, Law, LoadKind>& field) {
   out.put(s.centre);
   out.put(s.velocity);
   out.put(s.force);
+  out.put(s.mass);
+  out.put(s.weight);
   if constexpr (Law::turns) {
     out.put(s.spin);
     out.put(s.torque);
   }
-  if constexpr (ForceField<D, Law>::remembers) {
+  if constexpr (ForceField<D, Law, LoadKind>::remembers) {
     const auto put_memory = [&](const auto& history) {
       for_each_memory<D>(history, [&](const auto& value) { out.put(value); });
     };
@@ -124,13 +126,16 @@ void write_state(ByteWriter& out, const State<D, Law>& s, const ForceField<D, La
 }
 
 /// Sets the state of as many spheres as `s` has; false if the bytes are of something else.
-template <int D, class Law>
-bool read_state(ByteReader& in, State<D, Law>& s, ForceField<D, Law>& field) {
+template <int D, class Law, class LoadKind>
+bool read_state(ByteReader& in, State<D, Law>& s, ForceField<D, Law, LoadKind>& field) {
   const std::size_t n = s.count();
   in.get(s.centre);
   in.get(s.velocity);
   in.get(s.force);
-  bool whole = s.centre.size() == n && s.velocity.size() == n && s.force.size() == n;
+  in.get(s.mass);
+  in.get(s.weight);
+  bool whole = s.centre.size() == n && s.velocity.size() == n && s.force.size() == n && s.mass.size() == n &&
+               s.weight.size() == n;
   if constexpr (Law::turns) {
     in.get(s.spin);
     in.get(s.torque);
@@ -141,7 +146,7 @@ bool read_state(ByteReader& in, State<D, Law>& s, ForceField<D, Law>& field) {
   std::vector<NearPair<D>> pairs;
   std::vector<NearWall> walls;
   Memories<D, Law> memories;
-  if constexpr (ForceField<D, Law>::remembers) {
+  if constexpr (ForceField<D, Law, LoadKind>::remembers) {
     const auto get_memory = [&](auto& histories) {
       histories.emplace_back();
       for_each_memory<D>(histories.back(), [&](auto& value) { in.get(value); });

@@ -5,6 +5,8 @@
 #include "engine/generate/dem_gravity.h"
 #include "engine/generate/dem_isostatic.h"
 #include "engine/generate/drop_and_roll/drop_and_roll.h"
+#include "engine/generate/lammps/lammps_gravity.h"
+#include "engine/generate/lammps/lammps_isostatic.h"
 #include "engine/generate/lattice.h"
 #include "engine/generate/moving_enlarging/moving_enlarging.h"
 
@@ -22,6 +24,8 @@ constexpr std::array kGenerators = {
     Generator{MethodName::drop_and_roll_me, &generate_moving_enlarging},
     Generator{MethodName::dem_gravity, &generate_dem_gravity},
     Generator{MethodName::dem_isostatic, &generate_dem_isostatic},
+    Generator{MethodName::lammps_gravity, &generate_lammps_gravity},
+    Generator{MethodName::lammps_isostatic, &generate_lammps_isostatic},
 };
 
 } // namespace

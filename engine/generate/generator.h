@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,13 +15,16 @@
 
 namespace tamp {
 
-/// What a generator hands back. The packing counts only when the outcome is ok or did_not_converge.
+/// What a generator hands back. The packing counts only when the outcome is ok or did_not_converge; when it is
+/// time_limited it is the state reached, or empty.
 struct Generated {
   Packing packing;
   Outcome outcome = Outcome::ok;
   std::string reason; ///< empty when ok
   Effects effects;
-  std::vector<Measure> measures; ///< what only the generator can know: attempts, failures, …
+  std::vector<Measure> measures;                    ///< what only the generator can know: attempts, failures, …
+  std::map<std::string, std::string> programs = {}; ///< other programs that did the work, and their versions
+  double programs_cpu_s = 0;                        ///< CPU time of those
 };
 
 /// Called now and then with the number of spheres placed so far.
@@ -34,6 +38,8 @@ struct Request {
   const Packing* parent = nullptr; ///< what to start from: set if and only if job.parent is
   Progress progress = {};
   std::filesystem::path checkpoint = {}; ///< file that a long job may keep its state in; empty: none
+  std::filesystem::path folder = {};     ///< new folder for the scripts and logs of another program; empty: not kept
+  double wall_s = 0; ///< seconds that the job has, after which it will be killed; 0: as many as it likes
 };
 
 /// One row: `generate(request)` makes the packing of a job.

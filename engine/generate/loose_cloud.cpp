@@ -17,6 +17,8 @@ constexpr int kTries = 200;
 constexpr double kGrowth = 1.05;
 /// Ratio of radii within one class of the grid.
 constexpr double kClassRatio = 4;
+/// A periodic cloud that needs more room gets this share of the packing fraction.
+constexpr double kLooser = 0.9;
 /// Width of the columns by which spheres are ordered, in mean radii.
 constexpr double kColumn = 8;
 
@@ -85,6 +87,37 @@ Cloud<D> loose_cloud(const Vec<D>& size, const std::array<bool, D>& periodic, st
   return ordered;
 }
 
+template <int D>
+PeriodicCloud<D> loose_periodic_cloud(const Vec<D>& shape, const std::vector<double>& radii, double phi,
+                                      const RandomStream& random) {
+  double solid = 0;
+  double widest = 0;
+  for (const double r : radii) {
+    solid += (D == 2 ? std::numbers::pi : 4 * std::numbers::pi / 3) * std::pow(r, D);
+    widest = std::max(widest, 2 * r);
+  }
+  // Between floor and lid, since the cloud's search does not go round vertically.
+  std::array<bool, D> periodic;
+  periodic.fill(true);
+  periodic[vertical<D>] = false;
+  // Where a cloud finds no room its column grows: then the next one is looser, so that the box keeps its shape.
+  for (;; phi *= kLooser) {
+    PeriodicCloud<D> result{shape * std::pow(solid / (phi * shape.prod()), 1.0 / D), {}};
+    if (!(widest < result.size.minCoeff()))
+      continue;
+    result.cloud = loose_cloud<D>(result.size, periodic, radii, phi, random);
+    double top = 0;
+    for (std::size_t i = 0; i < result.cloud.centres.size(); ++i)
+      top = std::max(top, result.cloud.centres[i][vertical<D>] + result.cloud.radii[i]);
+    if (top <= result.size[vertical<D>])
+      return result;
+  }
+}
+
+template PeriodicCloud<2> loose_periodic_cloud<2>(const Vec<2>&, const std::vector<double>&, double,
+                                                  const RandomStream&);
+template PeriodicCloud<3> loose_periodic_cloud<3>(const Vec<3>&, const std::vector<double>&, double,
+                                                  const RandomStream&);
 template Cloud<2> loose_cloud<2>(const Vec<2>&, const std::array<bool, 2>&, std::vector<double>, double, RandomStream);
 template Cloud<3> loose_cloud<3>(const Vec<3>&, const std::array<bool, 3>&, std::vector<double>, double, RandomStream);
 

@@ -1,6 +1,6 @@
 // Mean number of contacts, with all spheres and without those that carry nothing.
 #include "engine/measure/metrics.h"
-#include "engine/measure/packing_search.h"
+#include "engine/search/packing_search.h"
 
 #include <cstdint>
 

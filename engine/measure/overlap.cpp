@@ -1,6 +1,6 @@
 // How far spheres reach into each other and through walls.
 #include "engine/measure/metrics.h"
-#include "engine/measure/packing_search.h"
+#include "engine/search/packing_search.h"
 
 #include <algorithm>
 #include <cstdint>

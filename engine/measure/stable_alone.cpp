@@ -1,8 +1,8 @@
 // Condition (ii) of the benchmark: each sphere, looked at alone with its neighbours held, is in equilibrium.
 #include "engine/base/parallel.h"
 #include "engine/measure/metrics.h"
-#include "engine/measure/packing_search.h"
 #include "engine/measure/support.h"
+#include "engine/search/packing_search.h"
 
 namespace tamp {
 

@@ -9,11 +9,20 @@
 
 namespace tamp {
 
-enum class MethodName { drop_and_roll, lattice, drop_and_roll_me, dem_gravity, dem_isostatic };
+enum class MethodName {
+  drop_and_roll,
+  lattice,
+  drop_and_roll_me,
+  dem_gravity,
+  dem_isostatic,
+  lammps_gravity,
+  lammps_isostatic
+};
 template <>
 struct EnumNames<MethodName> {
-  static constexpr std::array<std::string_view, 5> value{"drop-and-roll", "lattice", "drop-and-roll-me", "dem-gravity",
-                                                         "dem-isostatic"};
+  static constexpr std::array<std::string_view, 7> value{"drop-and-roll",   "lattice",       "drop-and-roll-me",
+                                                         "dem-gravity",     "dem-isostatic", "lammps-gravity",
+                                                         "lammps-isostatic"};
 };
 
 /// What drop-and-roll does with the radius of a sphere that does not fit under the lid.
@@ -74,18 +83,24 @@ struct DemGravity {
   FlatBody flat_body = FlatBody::sphere; ///< 2D scenes only; the paper's choice
   double cloud_phi = 0.2;                ///< packing fraction of the loose cloud that settles
   double overlap = 1e-3;                 ///< largest overlap of the bed, relative to the smaller radius
-  double force_balance = 1e-3;           ///< rms net force of a sphere in mean contact forces at which the bed rests
-  double kinetic_energy = 1e-6;          ///< mean per sphere in units of its weight times the mean radius
+  double force_balance = 5e-3;           ///< rms net force of a sphere in mean contact forces at which the bed rests
+  double kinetic_energy = 1e-4;          ///< mean per sphere in units of its weight times the mean radius
+};
+
+/// What the real LAMMPS needs to be told besides what dem-gravity does.
+struct LammpsGravity {
+  double height_drift = 1e-3;  ///< change of the mean height at which it counts as a plateau, in mean radii
+  double contact_drift = 1e-2; ///< the same for the contacts of a sphere
 };
 
 struct DemIsostatic {
   double target_phi = unstated;    ///< packing fraction to stop at; not stated: compress until jammed
-  double start_phi = 0.5;          ///< of the spheres thrown into the box at random; not for a start from a packing
+  double start_phi = 0.5;          ///< of the spheres thrown into the box at random, without friction and adhesion
   double overlap_tolerance = 1e-4; ///< largest overlap of the packing, relative to the smaller radius
   double pressure = 1e-2;          ///< of the compression, in units of the contacts' modulus
   double rate = 1e-3;              ///< largest share by which the box edge shrinks in one step of the minimiser
+  double load = 1e3;               ///< pressure on the box, Pa; of spheres that rub or adhere
   double stop_strain = 1e-4;       ///< change of the volume in 100 evaluations at which the box is at rest
-  bool hard = false;               ///< widen the box at the end until nothing overlaps
 };
 
 /// A method with its parameters; only the struct that `name` selects counts.
@@ -94,9 +109,11 @@ struct Method {
   DropAndRoll drop_and_roll;
   Lattice lattice;
   MovingEnlarging moving_enlarging;
-  Material material; ///< of the methods that know forces
-  DemGravity dem_gravity;
+  Material material;      ///< of the methods that know forces
+  DemGravity dem_gravity; ///< of lammps-gravity, too
+  LammpsGravity lammps_gravity;
   DemIsostatic dem_isostatic;
+  bool hard = false; ///< of discrete element methods: widen the box at the end until nothing overlaps
 };
 
 /// Whether a method starts from the packing of another job.

@@ -35,6 +35,12 @@ struct Packing {
   [[nodiscard]] Eigen::Map<const Vec<D>> centre(std::size_t i) const {
     return Eigen::Map<const Vec<D>>(positions.data() + i * D);
   }
+
+  /// Centre of sphere i for programs that know three dimensions only: in 2D the third coordinate is 0.
+  [[nodiscard]] std::array<double, 3> centre_in_space(std::size_t i) const {
+    const std::size_t first = i * static_cast<std::size_t>(dimension);
+    return {positions[first], positions[first + 1], dimension == 3 ? positions[first + 2] : 0};
+  }
 };
 
 /// Calls f with std::integral_constant<int, 2> or <int, 3>: the one place where the dimension becomes a type.

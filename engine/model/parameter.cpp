@@ -1,9 +1,7 @@
 // The parameter tables: one row per parameter of scenes, methods, metrics and runs.
 #include "engine/model/parameter.h"
 
-#include <fmt/format.h>
-
-#include <cmath>
+#include <limits>
 #include <type_traits>
 
 namespace tamp {
@@ -57,9 +55,9 @@ bool law_is(const Scene& scene) {
   return ((scene.psd.law == allowed) || ...);
 }
 
-template <MethodName name>
+template <MethodName... allowed>
 bool method_is(const Method& method) {
-  return method.name == name;
+  return ((method.name == allowed) || ...);
 }
 
 template <MetricName... allowed>
@@ -150,10 +148,12 @@ std::vector<Parameter<Scene>> scene_table() {
 std::vector<Parameter<Method>> method_table() {
   constexpr auto drop = &method_is<MethodName::drop_and_roll>;
   constexpr Words drop_words = "name = drop-and-roll";
-  constexpr auto dem = &method_is<MethodName::dem_gravity>;
-  constexpr Words dem_words = "name = dem-gravity";
-  constexpr auto gravity = &method_is<MethodName::dem_gravity>;
-  constexpr Words gravity_words = "name = dem-gravity";
+  constexpr auto dem = &method_is<MethodName::dem_gravity, MethodName::lammps_gravity>;
+  constexpr Words dem_words = "name = dem-gravity or lammps-gravity";
+  constexpr auto gravity = dem;
+  constexpr Words gravity_words = dem_words;
+  constexpr auto forces = &method_is<MethodName::dem_gravity, MethodName::dem_isostatic, MethodName::lammps_gravity>;
+  constexpr Words forces_words = "name = dem-gravity, dem-isostatic or lammps-gravity";
   constexpr auto isostatic = &method_is<MethodName::dem_isostatic>;
   constexpr Words isostatic_words = "name = dem-isostatic";
   return {
@@ -186,10 +186,10 @@ std::vector<Parameter<Method>> method_table() {
           "young", "Pa", kPositive,
           "Young's modulus E of the material. Contacts are made as soft as the tolerated overlap allows, never stiffer "
           "than this.",
-          [](Method & m) -> auto& { return m.material.young; }, dem_words, dem),
+          [](Method & m) -> auto& { return m.material.young; }, forces_words, forces),
       row<Method>(
           "poisson", "1", {0, 0.5}, "Poisson's ratio of the material.",
-          [](Method & m) -> auto& { return m.material.poisson; }, dem_words, dem),
+          [](Method & m) -> auto& { return m.material.poisson; }, forces_words, forces),
       row<Method>(
           "density", "kg/m^3", kPositive, "Density of the material.",
           [](Method & m) -> auto& { return m.material.density; }, dem_words, dem),
@@ -198,18 +198,20 @@ std::vector<Parameter<Method>> method_table() {
           "Coulomb's coefficient mu between particles and with walls; 0 leaves out friction, rotation and the memory "
           "of "
           "contacts.",
-          [](Method & m) -> auto& { return m.material.friction; }, dem_words, dem),
+          [](Method & m) -> auto& { return m.material.friction; }, forces_words, forces),
       row<Method>(
           "restitution", "1", {0.01, 0.99},
           "Coefficient of restitution e. Of no account without friction and adhesion, where energy is minimised.",
-          [](Method & m) -> auto& { return m.material.restitution; }, dem_words, dem),
+          [](Method & m) -> auto& { return m.material.restitution; },
+          "name = dem-gravity, lammps-gravity or lammps-isostatic",
+          &method_is<MethodName::dem_gravity, MethodName::lammps_gravity, MethodName::lammps_isostatic>),
       row<Method>(
           "adhesion", "J/m^2", kNotNegative, "Work of adhesion W; 0 leaves out adhesion.",
-          [](Method & m) -> auto& { return m.material.adhesion; }, dem_words, dem),
+          [](Method & m) -> auto& { return m.material.adhesion; }, forces_words, forces),
       row<Method>(
           "adhesion_model", "1", kAny,
           "Law of adhesion: JKR, DMT, or whichever Tabor's parameter of the mean radius says.",
-          [](Method & m) -> auto& { return m.material.adhesion_model; }, dem_words, dem),
+          [](Method & m) -> auto& { return m.material.adhesion_model; }, forces_words, forces),
       row<Method>(
           "gravity", "m/s^2", kPositive, "Acceleration of gravity.",
           [](Method & m) -> auto& { return m.dem_gravity.gravity; }, gravity_words, gravity),
@@ -217,15 +219,21 @@ std::vector<Parameter<Method>> method_table() {
           "flat_body", "1", kAny, "What a particle of a 2D scene is: a disc, or a sphere held in the plane.",
           [](Method & m) -> auto& { return m.dem_gravity.flat_body; }, gravity_words, gravity),
       row<Method>(
-          "cloud_phi", "1", {0.01, 0.3}, "Packing fraction of the loose cloud that settles.",
-          [](Method & m) -> auto& { return m.dem_gravity.cloud_phi; }, gravity_words, gravity),
+          "cloud_phi", "1", {0.01, 0.3},
+          "Packing fraction of the loose cloud that settles or is compressed (dem-isostatic: with friction or "
+          "adhesion).",
+          [](Method & m) -> auto& { return m.dem_gravity.cloud_phi; },
+          "name = dem-gravity, dem-isostatic, lammps-gravity or lammps-isostatic",
+          &method_is<MethodName::dem_gravity, MethodName::dem_isostatic, MethodName::lammps_gravity,
+                     MethodName::lammps_isostatic>),
       row<Method>(
           "overlap", "1", {1e-6, 0.1},
           "Largest overlap of the bed relative to the smaller radius: contacts are stiffened until it is met.",
           [](Method & m) -> auto& { return m.dem_gravity.overlap; }, gravity_words, gravity),
       row<Method>(
           "force_balance", "1", {1e-9, 0.1},
-          "The bed rests when the rms net force of a particle is this share of the mean contact force.",
+          "The bed rests when the rms net force of a particle is this share of the mean contact force; where energy is "
+          "minimised also when, after 20000 evaluations, the mean height no longer changes.",
           [](Method & m) -> auto& { return m.dem_gravity.force_balance; }, gravity_words, gravity),
       row<Method>(
           "kinetic_energy", "1", kPositive,
@@ -234,35 +242,60 @@ std::vector<Parameter<Method>> method_table() {
           "of no account where energy is minimised.",
           [](Method & m) -> auto& { return m.dem_gravity.kinetic_energy; }, gravity_words, gravity),
       row<Method>(
+          "height_drift", "1", kPositive,
+          "The bed rests when, at three looks in a row, its mean height has changed by less than this many mean radii "
+          "in 400 steps with matched inertia, and forces, motion and contacts are at rest, too.",
+          [](Method & m) -> auto& { return m.lammps_gravity.height_drift; }, "name = lammps-gravity",
+          &method_is<MethodName::lammps_gravity>),
+      row<Method>(
+          "contact_drift", "1", kPositive, "The same for the mean number of contacts of a particle.",
+          [](Method & m) -> auto& { return m.lammps_gravity.contact_drift; }, "name = lammps-gravity",
+          &method_is<MethodName::lammps_gravity>),
+      row<Method>(
           "target_phi", "1", {0, 1, true, true},
           "Packing fraction of the result; not stated: the box shrinks until the particles jam.",
           [](Method & m) -> auto& { return m.dem_isostatic.target_phi; }, isostatic_words, isostatic),
       row<Method>(
           "start_phi", "1", {0.01, 0.6},
           "Packing fraction at which particles are thrown into the box at random; of no account for a start from a "
-          "packing.",
+          "packing, and with friction or adhesion, which start from a loose cloud.",
           [](Method & m) -> auto& { return m.dem_isostatic.start_phi; }, isostatic_words, isostatic),
       row<Method>(
           "overlap_tolerance", "1", {1e-8, 0.1},
-          "Largest overlap of the result relative to the smaller radius: the pressure is lowered until it is met.",
-          [](Method & m) -> auto& { return m.dem_isostatic.overlap_tolerance; }, isostatic_words, isostatic),
+          "Largest overlap of the result relative to the smaller radius: the pressure is lowered until it is met; with "
+          "friction or adhesion contacts are stiffened at the same load instead.",
+          [](Method & m) -> auto& { return m.dem_isostatic.overlap_tolerance; },
+          "name = dem-isostatic or lammps-isostatic",
+          &method_is<MethodName::dem_isostatic, MethodName::lammps_isostatic>),
       row<Method>(
           "pressure", "1", {1e-6, 0.1},
-          "Pressure of the compression in units of the contacts' modulus: the order of relative overlaps on the way.",
+          "Pressure of the compression in units of the contacts' modulus: the order of relative overlaps on the way. "
+          "Of "
+          "no account with friction or adhesion.",
           [](Method & m) -> auto& { return m.dem_isostatic.pressure; }, isostatic_words, isostatic),
       row<Method>(
-          "rate", "1", {1e-6, 0.05}, "Largest share by which the box edge shrinks in one step of the minimiser.",
+          "load", "Pa", kPositive,
+          "Pressure on the box of particles that rub or adhere. Adhesion counts as W/(load r), r the mean radius; "
+          "friction alone knows no scale, and the load is then of no account for the packing.",
+          [](Method & m) -> auto& { return m.dem_isostatic.load; }, isostatic_words, isostatic),
+      row<Method>(
+          "rate", "1", {1e-6, 0.05}, "Largest share by which the box edge shrinks in one step.",
           [](Method & m) -> auto& { return m.dem_isostatic.rate; }, isostatic_words, isostatic),
       row<Method>(
           "stop_strain", "1", {1e-9, 0.1},
           "The box is at rest, and the pressure may fall, when its volume changes by less than this share in 100 "
-          "evaluations of all forces.",
-          [](Method & m) -> auto& { return m.dem_isostatic.stop_strain; }, isostatic_words, isostatic),
+          "evaluations of all forces (lammps-isostatic: in the time of a hundredth of free compression, three times in "
+          "a row).",
+          [](Method & m) -> auto& { return m.dem_isostatic.stop_strain; }, "name = dem-isostatic or lammps-isostatic",
+          &method_is<MethodName::dem_isostatic, MethodName::lammps_isostatic>),
       row<Method>(
           "hard", "1", kAny,
-          "At the end widen the box until nothing overlaps: hard particles, for a loss of about three times the "
-          "largest overlap in phi (twice in 2D).",
-          [](Method & m) -> auto& { return m.dem_isostatic.hard; }, isostatic_words, isostatic),
+          "At the end widen the box and the packing in it until nothing overlaps: hard particles, for a loss of about "
+          "three times the largest overlap in phi (twice in 2D).",
+          [](Method & m) -> auto& { return m.hard; },
+          "name = dem-gravity, dem-isostatic, lammps-gravity or lammps-isostatic",
+          &method_is<MethodName::dem_gravity, MethodName::dem_isostatic, MethodName::lammps_gravity,
+                     MethodName::lammps_isostatic>),
   };
 }
 
@@ -292,41 +325,32 @@ std::vector<Parameter<RunSettings>> run_table() {
           "wall_s", "s", kPositive, "Wall-clock time one job may take.",
           [](RunSettings & r) -> auto& { return r.wall_s; }),
       row<RunSettings>(
+          "cpu_s", "s", kNotNegative, "CPU time one job may take, in whole seconds; 0: no bound.",
+          [](RunSettings & r) -> auto& { return r.cpu_s; }),
+      row<RunSettings>(
           "memory_mb", "MB", {1, 1e9}, "Memory one job may take (1 MB = 1e6 bytes).",
           [](RunSettings & r) -> auto& { return r.memory_mb; }),
       row<RunSettings>(
           "timing", "1", kAny,
           "exclusive: each job alone on one pinned thread (the paper's protocol); shared: jobs side by side.",
           [](RunSettings & r) -> auto& { return r.timing; }),
+      row<RunSettings>(
+          "samples", "1", {1, 1000},
+          "Times that each job timed alone is run in turn, within its budget: its time is the median.",
+          [](RunSettings & r) -> auto& { return r.samples; }),
+  };
+}
+
+std::vector<Parameter<ReportSettings>> report_table() {
+  return {
+      row<ReportSettings>(
+          "phi_exp", "1", {0, 1, true, true},
+          "Packing fraction of an experiment on the powder: the report says which method comes closest.",
+          [](ReportSettings & r) -> auto& { return r.phi_exp; }),
   };
 }
 
 } // namespace
-
-std::string Range::words() const {
-  const bool has_low = std::isfinite(low);
-  const bool has_high = std::isfinite(high);
-  std::string lower = fmt::format("{} {}", low_open ? "above" : "at least", low);
-  std::string upper = fmt::format("{} {}", high_open ? "below" : "at most", high);
-  if (has_low && has_high) {
-    if (!low_open && !high_open)
-      return fmt::format("from {} to {}", low, high);
-    return lower + " and " + upper;
-  }
-  if (has_low)
-    return lower;
-  if (has_high)
-    return upper;
-  return "any number";
-}
-
-bool is_unstated(const JsonLeaf& leaf) {
-  if (const auto* number = std::get_if<double>(&leaf))
-    return std::isnan(*number);
-  if (const auto* list = std::get_if<std::vector<double>>(&leaf))
-    return list->empty();
-  return false;
-}
 
 std::span<const Parameter<Scene>> scene_parameters() {
   static const auto table = scene_table();
@@ -340,6 +364,11 @@ std::span<const Parameter<Metric>> metric_parameters() {
   static const auto table = metric_table();
   return table;
 }
+std::span<const Parameter<ReportSettings>> report_parameters() {
+  static const auto table = report_table();
+  return table;
+}
+
 std::span<const Parameter<RunSettings>> run_parameters() {
   static const auto table = run_table();
   return table;

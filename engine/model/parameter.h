@@ -30,8 +30,8 @@ struct Range {
   [[nodiscard]] std::string words() const;
 };
 
-/// One parameter of a Root (Scene, Method, Metric or RunSettings). From these rows come validation, canonical text,
-/// campaigns/schema.json and the reference page; nothing else knows a parameter's name.
+/// One parameter of a Root (Scene, Method, Metric, RunSettings or ReportSettings). From these rows come validation,
+/// canonical text, campaigns/schema.json and the reference page; nothing else knows a parameter's name.
 template <class Root>
 struct Parameter {
   std::string_view path; ///< inside the root, '/' between levels: "psd/mu_ln"
@@ -50,6 +50,7 @@ std::span<const Parameter<Scene>> scene_parameters();
 std::span<const Parameter<Method>> method_parameters(); ///< "name" first
 std::span<const Parameter<Metric>> metric_parameters(); ///< "name" first
 std::span<const Parameter<RunSettings>> run_parameters();
+std::span<const Parameter<ReportSettings>> report_parameters(); ///< all but the list of tables
 
 /// Whether a value means "not stated": NaN or an empty list.
 bool is_unstated(const JsonLeaf& leaf);

@@ -14,6 +14,7 @@ struct ReportTableInfo {
 
 /// Every table that a campaign may ask for under `report/tables`; report/report.cpp has one maker for each.
 inline constexpr std::array kReportTables = {
+    ReportTableInfo{"powders", "the size laws: parameters, moments, quantiles, and how dense such particles can lie"},
     ReportTableInfo{"lognormal_2d",
                     "lognormal powder in 2D: PSD fidelity, packing fraction and time beside the paper's"},
     ReportTableInfo{"lognormal_3d",

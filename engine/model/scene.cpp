@@ -10,6 +10,20 @@
 
 namespace tamp {
 
+double metres(LengthUnit unit) {
+  switch (unit) {
+  case LengthUnit::nm:
+    return 1e-9;
+  case LengthUnit::um:
+    return 1e-6;
+  case LengthUnit::mm:
+    return 1e-3;
+  case LengthUnit::m:
+    break;
+  }
+  return 1;
+}
+
 double full_box_count(const Scene& scene, const SizeLaw& law) {
   double box = 1;
   for (const double edge : scene.size)

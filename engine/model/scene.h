@@ -22,6 +22,9 @@ struct EnumNames<LengthUnit> {
   static constexpr std::array<std::string_view, 4> value{"nm", "um", "mm", "m"};
 };
 
+/// The length in metres.
+double metres(LengthUnit unit);
+
 /// All lengths are numbers in `unit`; nothing in the engine depends on which unit that is.
 struct Scene {
   std::int64_t dimension = 3;       ///< 2 or 3

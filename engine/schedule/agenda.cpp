@@ -13,8 +13,10 @@ namespace {
 
 RunSettings joined(const RunSettings& a, const RunSettings& b) {
   return {.wall_s = std::max(a.wall_s, b.wall_s),
+          .cpu_s = std::min(a.cpu_s, b.cpu_s) > 0 ? std::max(a.cpu_s, b.cpu_s) : 0,
           .memory_mb = std::max(a.memory_mb, b.memory_mb),
-          .timing = a.timing == TimingMode::exclusive ? a.timing : b.timing};
+          .timing = a.timing == TimingMode::exclusive ? a.timing : b.timing,
+          .samples = std::max(a.samples, b.samples)};
 }
 
 void add_metrics(Task& task, const std::vector<Metric>& metrics) {
@@ -27,15 +29,28 @@ void add_metrics(Task& task, const std::vector<Metric>& metrics) {
   }
 }
 
+/// The jobs of a plan in the order in which they are to run: that of the file, but of jobs that are timed alone first
+/// the first replicates of all methods and points, then the second ones, so that a drift of the machine meets all
+/// alike.
+std::vector<const PlannedJob*> in_turn(const Plan& plan) {
+  std::vector<const PlannedJob*> jobs;
+  for (const PlannedJob& planned : plan.jobs)
+    jobs.push_back(&planned);
+  if (plan.run.timing == TimingMode::exclusive)
+    std::stable_sort(jobs.begin(), jobs.end(),
+                     [](const PlannedJob* a, const PlannedJob* b) { return a->job.replicate < b->job.replicate; });
+  return jobs;
+}
+
 /// One task per key, in the order of the campaigns.
 std::vector<Task> join_tasks(std::span<const Plan> plans) {
   std::vector<Task> tasks;
   std::unordered_map<std::string, std::size_t> task_of;
   for (const Plan& plan : plans) {
-    for (const PlannedJob& planned : plan.jobs) {
-      const auto [found, is_new] = task_of.try_emplace(planned.key, tasks.size());
+    for (const PlannedJob* planned : in_turn(plan)) {
+      const auto [found, is_new] = task_of.try_emplace(planned->key, tasks.size());
       if (is_new)
-        tasks.push_back({planned, plan.run, {}});
+        tasks.push_back({*planned, plan.run, {}});
       Task& task = tasks[found->second];
       task.run = joined(task.run, plan.run);
       add_metrics(task, plan.metrics);

@@ -9,7 +9,7 @@ namespace tamp {
 class Observer {
 public:
   virtual ~Observer() = default;
-  /// Once, before anything starts.
+  /// Before anything starts; again if a further pass runs what others left.
   virtual void opened(const Agenda& /*agenda*/) {}
   virtual void started(const Item& /*item*/) {}
   /// The record has reached the sink.

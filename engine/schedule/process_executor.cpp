@@ -3,6 +3,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/host.h"
+#include "engine/schedule/disturbance.h"
 
 #include <fmt/format.h>
 
@@ -57,16 +58,18 @@ std::optional<Record> ProcessExecutor::run(const Task& task, std::optional<int> 
     record.provenance.start_utc = start;
     record.provenance.end_utc = utc_now();
     record.timing.mode = core ? TimingMode::exclusive : TimingMode::shared;
+    record.limits = limits_of(task.run);
     return record;
   };
   ProcessResult result;
   try {
-    result =
-        run_process({.argv = child.argv,
-                     .log = child.log,
-                     .limits = {.wall_s = task.run.wall_s, .memory_bytes = kLimitsMemory ? memory_bytes(task.run) : 0},
-                     .core = core},
-                    std::move(stop));
+    result = run_process({.argv = child.argv,
+                          .log = child.log,
+                          .limits = {.wall_s = task.run.wall_s,
+                                     .cpu_s = task.run.cpu_s,
+                                     .memory_bytes = kLimitsMemory ? memory_bytes(task.run) : 0},
+                          .core = core},
+                         std::move(stop));
   } catch (const Error& error) {
     // The machine had no room for one more process just then; the next run tries again.
     return unfinished({Outcome::failed, error.what()});
@@ -81,9 +84,11 @@ std::optional<Record> ProcessExecutor::run(const Task& task, std::optional<int> 
     throw Error(fmt::format("the child that ran job {} left the record of job {}", task.planned.key, record->key));
   }
   record->timing.mode = core ? TimingMode::exclusive : TimingMode::shared;
+  record->limits = limits_of(task.run);
   record->timing.process_wall_s = result.wall_s;
   record->timing.process_cpu_s = result.cpu_s;
   record->timing.peak_rss_bytes = result.peak_rss_bytes;
+  settle_time(record->timing);
   return record;
 }
 
@@ -97,14 +102,17 @@ Verdict judge_child(const ProcessResult& result, const RunSettings& run) {
     return no_memory("not even the program fits into the memory budget");
   switch (result.end) {
   case End::wall_limit:
-    return {Outcome::time_limited, fmt::format("not done after {:g} s, the budget of the job", run.wall_s)};
+    return {Outcome::time_limited,
+            with_tail(fmt::format("not done after {:g} s, the budget of the job", run.wall_s), result.log_tail)};
   case End::cpu_limit:
-    return {Outcome::time_limited, fmt::format("used up its CPU time of {:g} s", result.cpu_s)};
+    return {
+        Outcome::time_limited,
+        with_tail(fmt::format("not done after {:g} s of CPU time, the budget of the job", run.cpu_s), result.log_tail)};
   case End::signalled:
     if (result.code == SIGKILL &&
         static_cast<double>(result.peak_rss_bytes) >= kMemorySuspect * 1e6 * static_cast<double>(run.memory_mb))
       return no_memory("killed by SIGKILL with much memory in use, as the kernel does when memory runs out");
-    return {Outcome::failed, with_tail("ended by signal " + signal_name(result.code), result.log_tail)};
+    return {Outcome::crashed, with_tail("ended by signal " + signal_name(result.code), result.log_tail)};
   case End::exited:
     if (result.code == kExitOutOfMemory)
       return no_memory("ran out of memory");
@@ -114,6 +122,10 @@ Verdict judge_child(const ProcessResult& result, const RunSettings& run) {
     break;
   }
   return {Outcome::failed, "cancelled"};
+}
+
+Limits limits_of(const RunSettings& run) {
+  return {.wall_s = run.wall_s, .cpu_s = run.cpu_s, .memory_mb = run.memory_mb};
 }
 
 Record blank_record(const PlannedJob& planned, const Provenance& origin) {

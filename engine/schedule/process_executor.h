@@ -44,6 +44,9 @@ struct Verdict {
 };
 Verdict judge_child(const ProcessResult& result, const RunSettings& run);
 
+/// The limits under which a job of these settings runs.
+Limits limits_of(const RunSettings& run);
+
 /// The record of a generation job before anything is known of its run: key, names, canonical text, origin.
 Record blank_record(const PlannedJob& planned, const Provenance& origin);
 

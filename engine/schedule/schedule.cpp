@@ -92,7 +92,7 @@ private:
     const bool usable = ended.record && leaves_packing(ended.record->outcome);
     const std::vector<std::size_t> barred = dispatcher_.finish(ended.item, usable);
     if (!ended.record)
-      return; // stopped: it and all that waits for it remain cancelled
+      return; // stopped, or left to others: it and all that waits for it remain open
     --summary_.cancelled;
     ++summary_.ran[static_cast<std::size_t>(ended.record->outcome)];
     handlers_.observer.finished(item, *ended.record);
@@ -118,7 +118,7 @@ private:
     return ended(i, [&] {
       // Isolated: while a loop inside waits for its parts it must not pick up another job, whose time it would count.
       return oneapi::tbb::this_task_arena::isolate(
-          [&] { return std::optional(handlers_.measure(agenda_.task(item), agenda_.metric(item))); });
+          [&] { return handlers_.measure(agenda_.task(item), agenda_.metric(item)); });
     });
   }
 

@@ -8,6 +8,7 @@
 #include "engine/schedule/resources.h"
 
 #include <functional>
+#include <optional>
 #include <stop_token>
 
 namespace tamp {
@@ -16,8 +17,8 @@ namespace tamp {
 struct Handlers {
   Executor& executor;
   /// Measures a stored packing; called from several threads at once. A packing that cannot be measured is an outcome
-  /// of the record; anything thrown ends the run.
-  std::function<Record(const Task& task, const Metric& metric)> measure;
+  /// of the record; anything thrown ends the run. Nothing if somebody else is at it.
+  std::function<std::optional<Record>(const Task& task, const Metric& metric)> measure;
   /// Remembers a record; called for one record at a time. A metric job starts only after the record of its generation
   /// has gone through here. Anything thrown (disk full) ends the run.
   std::function<void(const Record& record)> sink;
@@ -29,7 +30,7 @@ struct Summary {
   OutcomeCounts ran{};       ///< in this run
   OutcomeCounts recorded{};  ///< before it
   std::size_t barred = 0;    ///< their packing was not made
-  std::size_t cancelled = 0; ///< open when the run was stopped
+  std::size_t cancelled = 0; ///< open at its end: the run was stopped, or somebody else is at them
 
   [[nodiscard]] bool all_ok() const;
 };

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -36,12 +37,14 @@ inline std::int64_t floor_index(double x) {
   return i - static_cast<std::int64_t>(x < static_cast<double>(i));
 }
 
-/// Spheres in a box [0, size]; axes are bounded or periodic. Not thread-safe while it is being filled.
+/// Spheres in a box [0, size]; lateral axes are bounded or periodic, the vertical one is always bounded. Not
+/// thread-safe while it is being filled.
 template <int D>
 class HierarchicalGrid {
 public:
   /// Classes in any order; together they must cover every radius that will be inserted. Lengths in one unit.
   HierarchicalGrid(const Vec<D>& size, const std::array<bool, D>& periodic, std::span<const SizeClass> classes) {
+    assert(!periodic[vertical<D>]);
     for (const SizeClass& c : classes)
       levels_.emplace_back(size, periodic, c);
   }

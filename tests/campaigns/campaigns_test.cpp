@@ -57,15 +57,15 @@ void check_lognormal(const Plan& plan, const std::vector<double>& size) {
 TEST_CASE("lognormal-2d and lognormal-3d are the benchmark powder in its boxes") {
   const Plan plane = checked_in("lognormal-2d.json");
   check_lognormal(plane, {600, 600});
-  CHECK(plane.report.tables == std::vector<std::string>{"lognormal_2d"});
+  CHECK(plane.report.tables == std::vector<std::string>{"powders", "lognormal_2d"});
   const Plan space = checked_in("lognormal-3d.json");
   check_lognormal(space, {133, 133, 133});
-  CHECK(space.report.tables == std::vector<std::string>{"lognormal_3d"});
+  CHECK(space.report.tables == std::vector<std::string>{"powders", "lognormal_3d"});
 }
 
 TEST_CASE("quickstart makes the first packings of both campaigns, under the same keys") {
   const Plan quick = checked_in("quickstart.json");
-  CHECK(quick.report.tables == std::vector<std::string>{"lognormal_2d", "lognormal_3d"});
+  CHECK(quick.report.tables == std::vector<std::string>{"powders", "lognormal_2d", "lognormal_3d"});
   REQUIRE(quick.jobs.size() == 8);
   std::set<std::string> keys;
   for (const char* name : {"lognormal-2d.json", "lognormal-3d.json"}) {
@@ -105,7 +105,7 @@ TEST_CASE("bimodal-3d holds boxes over the size ratio, at least ten large radii 
     CHECK(planned.job.scene.size.front() >= 10 * psd.size_ratio);
   }
   CHECK(ratios == std::set<double>{1, 2, 5, 10, 20, 40});
-  CHECK(plan.report.tables == std::vector<std::string>{"bimodal_3d"});
+  CHECK(plan.report.tables == std::vector<std::string>{"powders", "bimodal_3d"});
 }
 
 TEST_CASE("furnas covers the plane, and equal spheres once") {
@@ -114,7 +114,7 @@ TEST_CASE("furnas covers the plane, and equal spheres once") {
   for (const PlannedJob& planned : plan.jobs)
     places.emplace(planned.job.scene.psd.size_ratio, planned.job.scene.psd.large_volume_fraction);
   CHECK(places.size() == 1 + 3 * 11);
-  CHECK(plan.report.tables == std::vector<std::string>{"furnas"});
+  CHECK(plan.report.tables == std::vector<std::string>{"powders", "furnas"});
 }
 
 TEST_CASE("domain-size cuts the law where the box is smaller, and shares its 133 um packings with lognormal-3d") {
@@ -152,6 +152,41 @@ TEST_CASE("scaling states its counts, from a thousand to three million") {
     CHECK(*of_law.begin() >= 1000);
     CHECK(*of_law.rbegin() == 3000000);
   }
+}
+
+TEST_CASE("LAMMPS's campaigns are the powders of the others, in their boxes, and share drop-and-roll's packings") {
+  std::set<std::string> keys;
+  for (const char* name : {"lognormal-2d.json", "lognormal-3d.json"}) {
+    for (const PlannedJob& planned : checked_in(name).jobs)
+      keys.insert(planned.key);
+  }
+  std::map<std::string, int> rows;
+  for (const PlannedJob& planned : checked_in("lammps-lognormal.json").jobs) {
+    check_powder(planned.job);
+    ++rows[planned.label];
+    if (planned.label == "D&R")
+      CHECK(keys.count(planned.key) == 1);
+    CHECK(planned.job.parent.empty() == (planned.label.find("from") == std::string::npos));
+    CHECK((planned.job.method.material.friction > 0) == (planned.label.find("Lee2018") != std::string::npos));
+  }
+  CHECK(rows.size() == 5);
+  for (const auto& [label, count] : rows)
+    CHECK(count == 4);
+  const auto places = [](const char* name) {
+    std::set<std::pair<double, double>> found;
+    for (const PlannedJob& planned : checked_in(name).jobs)
+      found.emplace(planned.job.scene.psd.law == Law::bimodal ? planned.job.scene.psd.size_ratio : 0,
+                    planned.job.scene.size.front());
+    return found;
+  };
+  for (const auto& [lammps, other] : {std::pair("lammps-bimodal.json", "bimodal-3d.json"),
+                                      std::pair("lammps-domain-size.json", "domain-size.json")}) {
+    const auto all = places(other);
+    for (const auto& place : places(lammps))
+      CHECK(all.count(place) == 1);
+  }
+  for (const PlannedJob& planned : checked_in("lammps-quick.json").jobs)
+    CHECK(planned.job.scene.count == 2000);
 }
 
 TEST_CASE("the worked example of the README works, and its mistake is told as the README says") {

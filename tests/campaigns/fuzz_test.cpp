@@ -80,6 +80,11 @@ TEST_CASE("damaged campaigns give a plan or an InputError") {
     [4, 5]}, {"scene/psd/law": "bimodal", "scene/psd/small_radius": 1, "scene/psd/size_ratio": 5,
     "scene/psd/large_volume_fraction": 0.7}], "grid": {"method/lid": [true, false]}}, {"zip": {"scene/count": [1, 2],
     "scene/psd/scale": [2, 3]}}], "replicates": 2})");
+  sources.emplace_back(R"({"campaign": "parts", "methods": ["drop-and-roll", {"name": "lattice", "kind": "sc"}],
+    "scene": {"size": 90, "psd": {"law": "monodisperse", "radius": 2}},
+    "sweep": {"grid": {"scene/psd/radius": [1, 2, 3]}, "derived": {"scene/size": "cbrt(90^3) + (2*scene.psd.radius)/pi"},
+    "exclude": [{"scene/psd/radius": [2], "method": "lattice"}], "include": [{"scene/psd/radius": 4}],
+    "when": {"method": ["lattice", "drop-and-roll"], "scene/unit": "um"}}})");
   RandomStream random("fuzz", 0);
   int plans = 0;
   int errors = 0;

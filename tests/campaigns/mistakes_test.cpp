@@ -36,7 +36,8 @@ TEST_CASE("ten malformed campaigns, each told in full") {
   // unknown key
   CHECK(error_of(valid_with("\"replicates\"", "\"replicate\"")) ==
         "c.json:15:3: at /replicate: unknown key \"replicate\"\n"
-        "  allowed: \"$schema\", \"campaign\", \"title\", \"scene\", \"methods\", \"sweep\", \"replicates\", \"seed\", "
+        "  allowed: \"$schema\", \"campaign\", \"title\", \"extends\", \"scene\", \"methods\", \"sweep\", "
+        "\"replicates\", \"seed\", "
         "\"metrics\", \"budget\", \"timing\", \"report\"\n"
         "  nearest: replicates");
   // wrong type

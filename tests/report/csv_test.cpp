@@ -30,24 +30,45 @@ TEST_CASE("The table's file holds the exact figures") {
     campaign.add_ok(paper_scene(2), i, 0.82 + 0.001 * i, 0.2);
   const auto rows = read_csv(campaign.report().at("lognormal_2d.csv"));
   REQUIRE(rows.size() > 10);
-  CHECK(rows[0] == std::vector<std::string>{"table", "method", "source", "quantity", "unit", "value", "sd", "n"});
+  CHECK(rows[0] ==
+        std::vector<std::string>{"table", "panel", "method", "source", "quantity", "unit", "value", "sd", "n"});
   std::map<std::string, std::vector<std::string>> by_name;
   for (const auto& row : rows) {
-    REQUIRE(row.size() == 8);
-    by_name[row[2] + "/" + row[3]] = row;
+    REQUIRE(row.size() == 9);
+    by_name[row[3] + "/" + row[4]] = row;
   }
   const auto& run = by_name.at("this run/phi_paper");
-  CHECK(run[1] == "D&R");
-  CHECK(std::strtod(run[5].c_str(), nullptr) == Approx(0.821));
-  CHECK(std::strtod(run[6].c_str(), nullptr) == Approx(0.001));
-  CHECK(run[7] == "3");
-  CHECK(by_name.at("paper/phi_paper")[5] == "0.811");
-  CHECK(by_name.at("paper/phi_paper")[7].empty());
-  CHECK(std::strtod(by_name.at("difference/phi_paper")[5].c_str(), nullptr) == Approx(0.01));
-  CHECK(by_name.at("paper/time")[4] == "s");
-  CHECK(std::strtod(by_name.at("difference/time of the paper / time of this run")[5].c_str(), nullptr) ==
+  CHECK(run[2] == "D&R");
+  CHECK(std::strtod(run[6].c_str(), nullptr) == Approx(0.821));
+  CHECK(std::strtod(run[7].c_str(), nullptr) == Approx(0.001));
+  CHECK(run[8] == "3");
+  CHECK(by_name.at("paper/phi_paper")[6] == "0.811");
+  CHECK(by_name.at("paper/phi_paper")[8].empty());
+  CHECK(std::strtod(by_name.at("difference/phi_paper")[6].c_str(), nullptr) == Approx(0.01));
+  CHECK(by_name.at("paper/time")[5] == "s");
+  CHECK(std::strtod(by_name.at("difference/time of the paper / time of this run")[6].c_str(), nullptr) ==
         Approx(4.65 / 0.2));
-  CHECK(by_name.at("this run/overlap_max")[5] == "4.5e-14"); // the worst of the three
+  CHECK(by_name.at("this run/overlap_max")[6] == "4.5e-14"); // the worst of the three
+}
+
+TEST_CASE("The decision's file names scene, need, and who is best and next, in units of their own") {
+  SyntheticCampaign campaign;
+  for (int i = 0; i < 3; ++i) {
+    campaign.add_ok(paper_scene(3), i, 0.63 + 0.001 * i, 1.0, "A");
+    campaign.add_ok(paper_scene(3), 10 + i, 0.60 + 0.001 * i, 2.0 + 0.1 * i, "B");
+  }
+  std::map<std::string, std::vector<std::string>> by_name;
+  for (const auto& row : read_csv(campaign.report().at("decision.csv")))
+    by_name[row[2] + "/" + row[4]] = row;
+  const std::string densest = "densest: phi";
+  CHECK(by_name.at(densest + "/best")[6] == "A");
+  CHECK(by_name.at(densest + "/next")[6] == "B");
+  CHECK(by_name.at(densest + "/best")[1].find("lognormal powder in 3D, box 133") != std::string::npos);
+  CHECK(std::strtod(by_name.at(densest + "/best value")[6].c_str(), nullptr) >
+        std::strtod(by_name.at(densest + "/next value")[6].c_str(), nullptr));
+  CHECK(by_name.at(densest + "/best value")[5] == "1");
+  CHECK(by_name.at("fastest: time per sphere (µs)/best value")[5] == "us");
+  CHECK(by_name.at(densest + "/told apart")[6].find("yes") == 0);
 }
 
 TEST_CASE("The file of records has each record once") {

@@ -97,8 +97,28 @@ TEST_CASE("Fit and representative volume of invented packings") {
   CHECK(cell_of(table.panels[2], "D&R", "points").value == 5);
   CHECK(cell_of(table.panels[3], "D&R: ⟨phi_paper⟩", "plateau").value == Approx(0.640));
   CHECK(cell_of(table.panels[3], "D&R: ⟨phi_paper⟩", "X_RVE").value == 110);
-  CHECK(cell_of(table.panels[3], "D&R: ⟨H_N⟩", "X_RVE").value == 30);
-  CHECK(mentions(campaign.report().at("domain_size.csv"), "domain_size,D&R: phi_paper,this run,X_RVE,um,110,,"));
+  CHECK(cell_of(table.panels[3], "D&R: ⟨H_N⟩ − ⟨H_N_floor⟩", "X_RVE").value == 30);
+  CHECK(mentions(campaign.report().at("domain_size.csv"), ",D&R: phi_paper,this run,X_RVE,um,110,,"));
+}
+
+TEST_CASE("A distance that falls with its floor does not converge: its excess does") {
+  Sizes campaign;
+  const auto metric = [&](const PlannedJob& planned, double h, double floor) {
+    campaign.add_metric(planned.key, 0, {{"H_N", h}, {"H_N_floor", floor}});
+  };
+  for (const double edge : {60.0, 110.0, 210.0})
+    campaign.add(box(edge), 0.64, 0.001);
+  for (const PlannedJob& planned : campaign.plan.jobs) {
+    const double floor = 10 / planned.job.scene.size[0];
+    metric(planned, floor + 0.001, floor); // 0.17 to 0.05: more than the tolerance apart
+  }
+  const Table table = campaign.table();
+  CHECK(cell_of(table.panels[3], "D&R: ⟨H_N⟩ − ⟨H_N_floor⟩", "X_RVE").value == 60);
+  CHECK(cell_of(table.panels[3], "D&R: ⟨H_N⟩ − ⟨H_N_floor⟩", "plateau").value == Approx(0.001));
+
+  for (const PlannedJob& planned : campaign.plan.jobs)
+    metric(planned, 0.05, 10 / planned.job.scene.size[0]); // the same H in all boxes is ever further from its floor
+  CHECK(cell_of(campaign.table().panels[3], "D&R: ⟨H_N⟩ − ⟨H_N_floor⟩", "X_RVE").word == "none");
 }
 
 TEST_CASE("Exclusive and shared times are never in one fit") {
@@ -121,6 +141,32 @@ TEST_CASE("Exclusive and shared times are never in one fit") {
   CHECK(cell_of(campaign.table().panels[2], "D&R", "beta").value == Approx(1.2));
   CHECK(cell_of(campaign.table().panels[0], "D&R, ⟨X⟩ = 210 µm", "t_over_fit").empty());
   CHECK(mentions(campaign.report().at("report.md"), "6 runs in the other timing mode are left out of the fit"));
+}
+
+TEST_CASE("Disturbed times are in no fit, and times of different processors in none without a word") {
+  Sizes campaign;
+  for (const double edge : {60.0, 80.0, 110.0, 150.0, 210.0})
+    campaign.add(box(edge), 0.64, 0.001);
+  CHECK_FALSE(mentions(campaign.report().at("report.md"), "different processors"));
+  for (const PlannedJob& planned : campaign.plan.jobs) {
+    Record& record = campaign.records[planned.key];
+    if (planned.job.replicate == 1) {
+      record.timing.conditions.disturbed = "off its core";
+      record.timing.wall_s *= 100;
+    } else if (planned.job.scene.size[0] == 210) {
+      record.provenance.cpu_model = "Another CPU";
+    }
+  }
+  const auto families = campaign.families();
+  const TimedPoints timed = timed_points(families.at(0));
+  CHECK(timed.points.size() == 5);
+  CHECK(timed.disturbed == 5);
+  CHECK(timed.left_out == 0);
+  CHECK(timed.processors.size() == 2);
+  CHECK(cell_of(campaign.table().panels[2], "D&R", "beta").value == Approx(1.2));
+  const std::string page = campaign.report().at("report.md");
+  CHECK(mentions(page, "5 disturbed times are left out of the fit"));
+  CHECK(mentions(page, "the fit joins times of different processors, Another CPU and "));
 }
 
 TEST_CASE("Too few points are said to be, and packings of stated counts have no convergence") {

@@ -133,17 +133,17 @@ TEST_CASE("The counting finds what is broken") {
 TEST_CASE("Figures appear as mean and deviation, paper and difference") {
   const std::string tex = awkward_campaign().report().at("lognormal_2d.tex");
   CHECK(tex.find("\\textbf{D\\&R} n = 5") != std::string::npos);
-  CHECK(tex.find("$0.8220 \\pm 0.0016$") != std::string::npos); // sd of 0, 1, 2, 3, 4 thousandths: 0.00158
-  CHECK(tex.find("$0.811$") != std::string::npos);
-  CHECK(tex.find("$+0.011$") != std::string::npos);
-  CHECK(tex.find("$20\\,654$") != std::string::npos);
-  CHECK(tex.find("$7.5 \\cdot 10^{-14}$") != std::string::npos);
-  CHECK(tex.find("$4.65$\\,s") != std::string::npos);
-  CHECK(tex.find("$21\\times$") != std::string::npos); // 4.65 / 0.22
+  CHECK(tex.find("\\num{0.8220 +- 0.0016}") != std::string::npos); // sd of 0, 1, 2, 3, 4 thousandths: 0.00158
+  CHECK(tex.find("\\num{0.811}") != std::string::npos);
+  CHECK(tex.find("\\num{+0.011}") != std::string::npos);
+  CHECK(tex.find("\\num{20654}") != std::string::npos);
+  CHECK(tex.find("\\num{7.5e-14}") != std::string::npos);
+  CHECK(tex.find("\\qty{4.65}{s}") != std::string::npos);
+  CHECK(tex.find("\\num{21}$\\times$") != std::string::npos); // 4.65 / 0.22
 }
 
 TEST_CASE("pdflatex accepts the document") {
-  if (std::system("command -v pdflatex kpsewhich >/dev/null && kpsewhich booktabs.sty >/dev/null") != 0)
+  if (std::system("command -v pdflatex kpsewhich >/dev/null && kpsewhich booktabs.sty siunitx.sty >/dev/null") != 0)
     return;
   const auto folder =
       std::filesystem::temp_directory_path() / ("tamp_latex_test_" + std::to_string(static_cast<long>(getpid())));

@@ -51,7 +51,7 @@ TEST_CASE("All rows of a grid have the same number of cells") {
     ++rows;
   }
   CHECK(grids == 4);
-  CHECK(rows == (2 + 1) + (2 + 1) + (2 + 3) + (2 + 1)); // the 2D method has no row in the paper
+  CHECK(rows == (2 + 3) + (2 + 1) + (2 + 3) + (2 + 1));
   CHECK(page.starts_with("# A synthetic campaign\n"));
   CHECK(page.find("## lognormal\\_2d") != std::string::npos);
   CHECK(page.find("- **Build.** commit 0123456789ab, GNU 12.2.0") != std::string::npos);

@@ -78,11 +78,17 @@ TEST_CASE("The value of a cell is rounded where its spread is") {
   CHECK(count.spread == "120");
 }
 
-TEST_CASE("A spread of zero is shown, an unknown one is not") {
-  Cell exact = cell(0.25, 0);
-  exact.decimals = 4;
-  CHECK(show(exact).value == "0.2500");
-  CHECK(show(exact).spread == "0");
+TEST_CASE("A spread of zero or of rounding is none, and the digits are the column's") {
+  for (const double spread : {0.0, 2.7e-15, 2e-10}) {
+    Cell exact = cell(0.7487616634028189, spread);
+    exact.decimals = 4;
+    CHECK(show(exact).value == "0.7488");
+    CHECK(show(exact).spread.empty());
+    exact.style = CellStyle::duration;
+    CHECK(show(exact).spread.empty());
+  }
+  CHECK(show(cell(0.25, 1e-8)).spread == "0.000000010");
+  CHECK(show(cell(0, 0)).spread.empty());
   CHECK(show(cell(0.25, Cell::kNone)).spread.empty());
 }
 

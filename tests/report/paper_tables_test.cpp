@@ -9,12 +9,21 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 
 using namespace tamp;
 
 namespace {
+
+Method with_effects(MethodName name, double friction, double adhesion) {
+  Method method;
+  method.name = name;
+  method.material.friction = friction;
+  method.material.adhesion = adhesion;
+  return method;
+}
 
 nlohmann::json reference() {
   return nlohmann::json::parse(read_file(std::filesystem::path(TAMP_SOURCE_DIR) / "tests/report/paper_tables.json"));
@@ -56,7 +65,7 @@ TEST_CASE("Each row of the paper's tables is the one printed") {
   }
 }
 
-TEST_CASE("Tables are found by name, rows by label") {
+TEST_CASE("Tables are found by name, rows by that which the paper has") {
   CHECK(paper_table("lognormal_3d").dimension == 3);
   CHECK_THROWS_AS(paper_table("bimodal"), InputError);
   CHECK(paper_table("lognormal_2d").find("D&R-XY") == nullptr);
@@ -89,4 +98,51 @@ TEST_CASE("Each row of the paper's table of mixtures is the one printed") {
     }
   }
   CHECK(paper_bimodal_rows().size() == rows);
+}
+
+TEST_CASE("Which row of the paper a method stands beside is decided by what runs") {
+  struct Expected {
+    MethodName name;
+    double friction;
+    double adhesion;
+    const char* lognormal;
+    const char* bimodal;
+  };
+  constexpr std::array kExpected = {
+      Expected{MethodName::drop_and_roll, 0, 0, "D&R", "D&R"},
+      Expected{MethodName::drop_and_roll_me, 0, 0, "D&R-ME", ""},
+      Expected{MethodName::dem_isostatic, 0, 0, "dp3D_NANF", "dp3D"},
+      Expected{MethodName::dem_isostatic, 0.5, 0.004, "dp3D_Lee2018", ""},
+      Expected{MethodName::dem_isostatic, 0.5, 0, "", ""},
+      Expected{MethodName::dem_isostatic, 0, 0.004, "", ""},
+      Expected{MethodName::dem_gravity, 0, 0, "LAMMPS_NANF", "LAMMPS"},
+      Expected{MethodName::dem_gravity, 0.5, 0, "LAMMPS_Lee2018", ""},
+      Expected{MethodName::lammps_gravity, 0, 0, "LAMMPS_NANF", "LAMMPS"},
+      Expected{MethodName::lammps_gravity, 0.5, 0.004, "LAMMPS_Lee2018", ""},
+      Expected{MethodName::lammps_gravity, 0, 0.004, "", ""},
+      Expected{MethodName::lammps_isostatic, 0, 0, "", ""},
+      Expected{MethodName::lattice, 0, 0, "", ""},
+  };
+  for (const auto& [name, friction, adhesion, lognormal, bimodal] : kExpected) {
+    const Method method = with_effects(name, friction, adhesion);
+    CAPTURE(name_of(name), friction, adhesion);
+    CHECK(paper_method(method).lognormal == lognormal);
+    CHECK(paper_method(method).bimodal == bimodal);
+    const PaperRow* row = paper_table("lognormal_3d").find(method);
+    CHECK((row ? row->method : "") == lognormal);
+    CHECK((find_paper_bimodal(method, 5) != nullptr) == (*bimodal != 0));
+  }
+  Method to_a_density = with_effects(MethodName::dem_isostatic, 0, 0);
+  to_a_density.dem_isostatic.target_phi = 0.62;
+  CHECK(paper_method(to_a_density).lognormal.empty());
+}
+
+TEST_CASE("What a method does otherwise than the paper's is told") {
+  Method method;
+  CHECK(other_protocol(method).empty());
+  method.drop_and_roll.on_failure = OnFailure::keep;
+  method.drop_and_roll.max_failures = 5;
+  CHECK(other_protocol(method) == "on_failure keep, max_failures 5");
+  method.name = MethodName::drop_and_roll_me;
+  CHECK(other_protocol(method).empty());
 }

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 
 using namespace tamp;
 using namespace tamp::test;
@@ -72,6 +73,40 @@ TEST_CASE("A run that is not ok enters no figure and is listed with its reason")
   CHECK(mentions(page, "D\\&R replicate 2 (" + short_key(key) + "): stopped early"));
 }
 
+TEST_CASE("A method whose runs all ended otherwise keeps its row, with the outcome in it") {
+  SyntheticCampaign campaign;
+  campaign.add_ok(paper_scene(3), 0, 0.63, 1);
+  const std::string key = campaign.add_ok(paper_scene(3), 0, 0.7, 99, "DG", method_named(MethodName::dem_gravity));
+  campaign.records[key].outcome = Outcome::time_limited;
+  campaign.records[key].reason = "not at rest after 12 s";
+  const Table table = table_of(campaign, "lognormal_3d");
+  REQUIRE(table.panels.at(0).groups.size() == 2);
+  const Group& row = table.panels[0].groups[1];
+  REQUIRE(row.lines.size() == 2); // this run and the paper
+  CHECK(row.lines[0].cells.at(1).word == "time-limited");
+  CHECK(row.lines[0].cells.at(4).empty());
+  CHECK(row.lines[1].cells.at(1).value == 26726);
+  CHECK(table.panels.at(1).groups.size() == 1);
+  const std::string page = campaign.report().at("report.md");
+  CHECK(mentions(page, "| time-limited |"));
+  CHECK(mentions(page, "not at rest after 12 s"));
+}
+
+TEST_CASE("What cannot run, as its start was not made, is not said to be missing") {
+  SyntheticCampaign campaign;
+  campaign.add_ok(paper_scene(3), 0, 0.63, 1);
+  const std::string bed = campaign.add_ok(paper_scene(3), 0, 0.7, 99, "DG", method_named(MethodName::dem_gravity));
+  campaign.records[bed].outcome = Outcome::time_limited;
+  campaign.plan_job(paper_scene(3), 0, "iso", method_named(MethodName::dem_isostatic), bed);
+  const std::string page = campaign.report().at("report.md");
+  CHECK(mentions(page, "1 job not possible"));
+  CHECK(mentions(page, "iso replicate 0"));
+  CHECK(mentions(page, "DG (" + short_key(bed) + ") ended time-limited"));
+  CHECK(mentions(page, "tamp run campaigns/synthetic.json --retry-limited"));
+  CHECK_FALSE(mentions(page, "No record of"));
+  CHECK(mentions(page, "| not possible |"));
+}
+
 TEST_CASE("Jobs and metrics without a record are listed with the command that runs them") {
   SyntheticCampaign campaign;
   const std::string key = campaign.add_ok(paper_scene(2), 0, 0.82, 0.2);
@@ -96,7 +131,7 @@ TEST_CASE("A campaign that has not run gives tables that say so") {
   const auto files = campaign.report();
   CHECK(mentions(files.at("report.md"), "No record of 1 generation job and of 0 metrics"));
   CHECK(mentions(files.at("report.md"), "The campaign has no lognormal powder in 3D"));
-  CHECK(files.at("lognormal_2d.csv") == "table,method,source,quantity,unit,value,sd,n\n");
+  CHECK(files.at("lognormal_2d.csv") == "table,panel,method,source,quantity,unit,value,sd,n\n");
 }
 
 TEST_CASE("Only what may be compared with the paper is compared") {
@@ -129,6 +164,66 @@ TEST_CASE("Only what may be compared with the paper is compared") {
   CHECK(table_of(different, "lognormal_3d").panels.at(0).groups.at(0).lines.size() == 1);
 }
 
+TEST_CASE("A label decides nothing about the comparison with the paper") {
+  SyntheticCampaign campaign;
+  Method kept;
+  kept.drop_and_roll.on_failure = OnFailure::keep;
+  campaign.add_ok(paper_scene(3), 0, 0.63, 1, "drop-and-roll");
+  campaign.add_ok(paper_scene(3), 0, 0.62, 1, "D&R-ME", kept);
+  campaign.add_ok(paper_scene(3), 0, 0.7, 1, "D&R", method_named(MethodName::lammps_isostatic));
+  const Panel compared = table_of(campaign, "lognormal_3d").panels.at(0);
+  REQUIRE(compared.groups.size() == 3);
+  for (const std::size_t group : {0U, 1U}) {
+    REQUIRE(compared.groups[group].lines.size() == 3);
+    CHECK(compared.groups[group].lines[1].cells[1].value == 19615); // of the paper's D&R
+  }
+  CHECK(compared.groups[0].remark == "n = 1");
+  CHECK(compared.groups[1].remark == "n = 1; not the paper's protocol: on_failure keep");
+  CHECK(compared.groups[2].lines.size() == 1);
+  const std::string page = campaign.report().at("report.md");
+  CHECK(mentions(page, "D\\&R: the paper has no such method"));
+  CHECK(mentions(page, "D\\&R-ME stands beside the paper's D\\&R, which was made by another protocol"));
+}
+
+TEST_CASE("What starts from another row's packing names it, and its factor counts the whole way") {
+  SyntheticCampaign campaign;
+  const std::string bed = campaign.add_ok(paper_scene(3), 0, 0.63, 200, "my bed");
+  const std::string me =
+      campaign.add_ok(paper_scene(3), 0, 0.64, 100, "ME", method_named(MethodName::drop_and_roll_me), bed);
+  campaign.add_ok(paper_scene(3), 0, 0.7, 50, "iso", method_named(MethodName::dem_isostatic), me);
+  const Table table = table_of(campaign, "lognormal_3d");
+  const auto factor = [&](std::size_t group) {
+    return table.panels.at(0).groups.at(group).lines.at(2).cells.back().value;
+  };
+  CHECK(factor(0) == Approx(26.0 / 200));
+  CHECK(factor(1) == Approx(600.0 / 300));
+  CHECK(factor(2) == Approx(92448.0 / 350));
+  CHECK(table.panels[0].groups[1].lines[0].cells.back().value == 100); // of the generator alone
+  CHECK(table.panels[0].groups[2].remark == "n = 1; from ME, from my bed");
+  const std::string page = campaign.report().at("report.md");
+  CHECK(mentions(page, "started from the packing of the same replicate of my bed"));
+  CHECK(mentions(page, "ME starts from packings of my bed: with theirs 5.00 min"));
+
+  campaign.records[bed].timing.mode = TimingMode::shared;
+  CHECK(table_of(campaign, "lognormal_3d").panels[0].groups[1].lines[2].cells.back().empty());
+}
+
+TEST_CASE("The packing fraction of a whole periodic box stands beside that of the sub-box, and its box is told") {
+  SyntheticCampaign campaign;
+  campaign.add_ok(paper_scene(3), 0, 0.63, 1);
+  CHECK_THROWS(cell_of(table_of(campaign, "lognormal_3d"), 1, 0, "phi_box"));
+  const std::string key = campaign.add_ok(paper_scene(3), 0, 0.7, 1, "iso", method_named(MethodName::dem_isostatic));
+  campaign.records[key].measures.push_back({"phi_box", 0.72, "1"});
+  const Table table = table_of(campaign, "lognormal_3d");
+  CHECK(table.panels.at(1).columns.at(1).quantity == "phi_box");
+  CHECK(table.panels[1].groups.at(0).lines.at(0).cells.at(1).empty());
+  CHECK(table.panels[1].groups.at(1).lines.at(0).cells.at(1).value == 0.72);
+  const std::string page = campaign.report().at("report.md");
+  CHECK(mentions(page, "of the whole box, where it is periodic on all sides"));
+  CHECK(mentions(page, "iso: name dem-isostatic"));
+  CHECK(mentions(page, "pressed in a box of its own that is periodic on all sides"));
+}
+
 TEST_CASE("Times of the two modes are never mixed") {
   SyntheticCampaign campaign;
   campaign.add_ok(paper_scene(2), 0, 0.82, 0.2);
@@ -137,6 +232,22 @@ TEST_CASE("Times of the two modes are never mixed") {
   CHECK(cell_of(table_of(campaign, "lognormal_2d"), 0, 0, "time").value == 0.2);
   CHECK(cell_of(table_of(campaign, "lognormal_2d"), 0, 0, "time").n == 1);
   CHECK(mentions(campaign.report().at("report.md"), "1 of the 2 replicates"));
+}
+
+TEST_CASE("A disturbed time is left out and said to be, and medians have their intervals") {
+  SyntheticCampaign campaign;
+  campaign.add_ok(paper_scene(2), 0, 0.82, 0.2);
+  const std::string sampled = campaign.add_ok(paper_scene(2), 1, 0.82, 0.2);
+  campaign.records[sampled].timing.samples = {
+      {0.2, 0.2, 0, 0, ""}, {0.2, 0.2, 0, 0, ""}, {9, 0.2, 0, 0, "off its core"}};
+  const std::string disturbed = campaign.add_ok(paper_scene(2), 2, 0.82, 5);
+  campaign.records[disturbed].timing.conditions.disturbed = "off its core";
+  CHECK(cell_of(table_of(campaign, "lognormal_2d"), 0, 0, "time").value == 0.2);
+  CHECK(cell_of(table_of(campaign, "lognormal_2d"), 0, 0, "time").n == 2);
+  const std::string page = campaign.report().at("report.md");
+  CHECK(mentions(page, "1 disturbed times left out"));
+  CHECK(mentions(page, "the median of several runs in turn (3 in all, 1 of them left out as disturbed)"));
+  CHECK(mentions(page, "0.2 to 0.2 s"));
 }
 
 TEST_CASE("Groups of one label are told apart by their points") {
@@ -150,7 +261,7 @@ TEST_CASE("Groups of one label are told apart by their points") {
   const Table table = table_of(campaign, "lognormal_2d");
   REQUIRE(table.panels.at(0).groups.size() == 2);
   CHECK(table.panels[0].groups[1].heading == "D&R (sampler = stratified)");
-  CHECK(table.panels[0].groups[1].lines.size() == 3); // the paper's row is found by the label alone
+  CHECK(table.panels[0].groups[1].lines.size() == 3); // the paper's row is the method's
 }
 
 TEST_CASE("The same records give the same bytes") {
@@ -171,6 +282,15 @@ TEST_CASE("Unknown tables and none at all are input errors") {
   CHECK_THROWS_AS(campaign.report(), InputError);
 }
 
+TEST_CASE("Columns of a metric that the campaign does not ask for say so") {
+  SyntheticCampaign campaign;
+  campaign.add_ok(paper_scene(2), 0, 0.82, 0.2);
+  const std::string words = "does not ask for the metric hellinger";
+  CHECK_FALSE(mentions(campaign.report().at("report.md"), words));
+  std::erase_if(campaign.plan.metrics, [](const Metric& metric) { return metric.name == MetricName::hellinger; });
+  CHECK(mentions(campaign.report().at("report.md"), words));
+}
+
 TEST_CASE("A report is written from a store") {
   const auto folder =
       std::filesystem::temp_directory_path() / ("tamp_report_test_" + std::to_string(static_cast<long>(getpid())));
@@ -186,6 +306,8 @@ TEST_CASE("A report is written from a store") {
     CAPTURE(path.string());
     if (path.filename() == "index.html") // names the store's folder
       CHECK(mentions(read_file(path), "\"store\":\"" + (folder / "store").string() + "\""));
+    else if (path.filename() == "report.md") // names the figures that are missing
+      CHECK(mentions(read_file(path), "Figures that this campaign has no numbers for"));
     else
       CHECK(read_file(path) == expected.at(path.filename().string()));
   }
@@ -195,4 +317,17 @@ TEST_CASE("A report is written from a store") {
   const std::string page = read_file(folder / "out" / "deep" / "report.md");
   CHECK(mentions(page, "To run them: tamp run campaigns/synthetic.json --store "));
   std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("Ten thousand records that are read make a report in under 20 s of processor time", "[slow]") {
+  SyntheticCampaign campaign; // 7 records a packing
+  for (int i = 0; i < 1430; ++i)
+    campaign.add_ok(paper_scene(2 + i % 2), i, 0.63 + 1e-5 * i, 1.0 + i % 7, "method " + std::to_string(i % 20 / 2));
+  REQUIRE(campaign.records.size() > 10000);
+  const std::clock_t start = std::clock();
+  const auto files = campaign.report();
+  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  CAPTURE(seconds);
+  CHECK(files.at("lognormal_2d_records.csv").size() > 100000);
+  CHECK(seconds < 20);
 }

@@ -22,6 +22,12 @@ inline Scene paper_scene(int dimension) {
   return completed(scene);
 }
 
+inline Method method_named(MethodName name) {
+  Method method;
+  method.name = name;
+  return method;
+}
+
 /// A plan and the records that a store would hold.
 struct SyntheticCampaign {
   Plan plan;
@@ -38,9 +44,12 @@ struct SyntheticCampaign {
   }
 
   /// Adds a job to the plan; it has no record yet.
-  std::string plan_job(const Scene& scene, std::int64_t replicate, const std::string& label = "D&R") {
+  std::string plan_job(const Scene& scene, std::int64_t replicate, const std::string& label = "D&R",
+                       const Method& method = {}, const std::string& parent = "") {
     PlannedJob planned;
+    planned.job.parent = parent;
     planned.job.scene = scene;
+    planned.job.method = method;
     planned.job.replicate = replicate;
     planned.key = job_key(planned.job);
     planned.label = label;
@@ -70,10 +79,11 @@ struct SyntheticCampaign {
 
   /// A job that ended ok, with all metrics; phi_paper and time differ between replicates, the rest follows from them.
   std::string add_ok(const Scene& scene, std::int64_t replicate, double phi_paper, double wall_s,
-                     const std::string& label = "D&R") {
-    const std::string key = plan_job(scene, replicate, label);
-    Record& generation = add_record(key, JobKind::generation, "drop-and-roll");
+                     const std::string& label = "D&R", const Method& method = {}, const std::string& parent = "") {
+    const std::string key = plan_job(scene, replicate, label, method, parent);
+    Record& generation = add_record(key, JobKind::generation, std::string(name_of(method.name)));
     generation.measures = {{"N", 20000.0 + static_cast<double>(replicate) * 10, "1"}};
+    generation.parent = parent;
     generation.timing = {TimingMode::exclusive, wall_s, wall_s, wall_s, wall_s, 1000000};
     const std::string weighted = scene.dimension == 2 ? "H_S" : "H_V";
     add_metric(key, 0,

@@ -56,6 +56,8 @@ inline Provenance example_provenance() {
   p.flags = "-O3 -DNDEBUG";
   p.libraries = {{"hdf5", "1.10.8"}, {"sqlite", "3.40.1"}};
   p.host = "host";
+  p.boot_id = "a-b-c";
+  p.pid = 4711;
   p.cpu_model = "a \"model\", with commas";
   p.kernel = "Linux";
   p.hardware_threads = 8;
@@ -76,7 +78,10 @@ inline Record example_record(std::int64_t replicate) {
   r.outcome = Outcome::ok;
   r.effects = {{"gravity"}, {{"friction", "mu = 0"}, {"adhesion", "W = 0"}}};
   r.measures = {{"N", 20654, "1"}, {"gap", 0.1 + 0.2, "um"}, {"tiny", 4.9e-324, "1"}};
-  r.timing = {TimingMode::exclusive, 1.0 / 3.0, 0.3, 0.4, 0.39, 123456789};
+  r.timing = {
+      TimingMode::exclusive, 1.0 / 3.0, 0.3, 0.4, 0.39, 123456789, {1.25, 17, 0.02, "performance", "off its core"}};
+  r.timing.samples = {{0.35, 0.3, 0.01, 16, ""}, {0.5, 0.3, 0.01, 1, "off its core"}};
+  r.limits = {3600, 1800.5, 4096};
   r.provenance = example_provenance();
   return r;
 }

@@ -35,7 +35,25 @@ TEST_CASE("a new store has the newest version, our mark, WAL and only STRICT tab
   CHECK(database.execAndGet("PRAGMA journal_mode").getString() == "wal");
   CHECK(number(database, "SELECT count(*) FROM pragma_table_list WHERE type = 'table' AND name NOT LIKE 'sqlite%' AND "
                          "strict = 0") == 0);
-  CHECK(number(database, "SELECT count(*) FROM pragma_table_list WHERE strict = 1") == 8);
+  CHECK(number(database, "SELECT count(*) FROM pragma_table_list WHERE strict = 1") == 9);
+}
+
+TEST_CASE("on a network file system a store does without the write-ahead log, also one that had it") {
+  const ScratchFolder folder;
+  const auto file = folder / "tamp.sqlite";
+  const auto mode = [&] { return SQLite::Database(file).execAndGet("PRAGMA journal_mode").getString(); };
+  { open_database(file, true); }
+  CHECK(mode() == "wal");
+  {
+    SQLite::Database database = open_database(file, true, true);
+    database.exec("INSERT INTO campaigns (name, title, file, settings) VALUES ('a', '', '', '{}')");
+    CHECK_FALSE(std::filesystem::exists(file.string() + "-wal"));
+  }
+  CHECK(mode() == "delete");
+  { open_database(file, true); }
+  CHECK(mode() == "wal");
+  SQLite::Database database(file);
+  CHECK(number(database, "SELECT count(*) FROM campaigns") == 1);
 }
 
 TEST_CASE("foreign keys are kept") {

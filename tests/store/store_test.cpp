@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <fstream>
@@ -69,12 +70,13 @@ TEST_CASE("an ok result stands; other outcomes are followed by further attempts"
 TEST_CASE("finished keys are those that need no further run") {
   const ScratchFolder folder;
   Store store = Store::open(folder / "s", Store::Mode::create);
+  const std::array again{Outcome::failed, Outcome::crashed, Outcome::cancelled, Outcome::lost};
   std::vector<std::string> expected;
   for (std::size_t i = 0; i < EnumNames<Outcome>::value.size(); ++i) {
     Record record = example_record(static_cast<std::int64_t>(i));
     record.outcome = static_cast<Outcome>(i);
     store.put(record);
-    if (record.outcome != Outcome::failed)
+    if (std::find(again.begin(), again.end(), record.outcome) == again.end())
       expected.push_back(record.key);
     CHECK(store.outcomes().at(record.key) == record.outcome);
   }
@@ -129,6 +131,49 @@ TEST_CASE("what cannot be remembered rightly is refused, and nothing of it stays
   CHECK_FALSE(reader.has(example_record(1).key));
 }
 
+TEST_CASE("how far a campaign is, and what of it failed, is the latest attempt's word") {
+  const ScratchFolder folder;
+  Store store = Store::open(folder / "s", Store::Mode::create);
+  store.put_campaign(example_plan("first", 5));
+  store.put_campaign(example_plan("second", 2));
+  CHECK(store.campaign_extent("first").planned == 5);
+  CHECK(store.campaign_extent("first").recorded == 0);
+  CHECK(store.unsuccessful("first").empty());
+  for (const int i : {0, 1, 3}) {
+    Record record = example_record(i);
+    record.key = job_key(example_job(i));
+    record.packing_file.clear();
+    record.outcome = Outcome::crashed;
+    store.put(record);
+    if (i != 1)
+      continue;
+    record.outcome = Outcome::ok; // at the second attempt
+    record.provenance.start_utc = "2025-01-02T00:00:00Z";
+    record.provenance.end_utc = "2025-01-02T00:00:01Z";
+    store.put(record);
+  }
+  Record metric = example_record(0);
+  metric.kind = JobKind::metric;
+  metric.name = "phi";
+  metric.key = std::string(64, 'e');
+  metric.parent = job_key(example_job(1));
+  metric.packing_file.clear();
+  metric.outcome = Outcome::failed;
+  store.put(metric);
+  CHECK(store.campaign_extent("first").recorded == 3);
+  CHECK(store.campaign_extent("second").recorded == 2);
+  CHECK(store.campaign_extent("none").planned == 0);
+  const auto bad = store.unsuccessful("first");
+  REQUIRE(bad.size() == 3);
+  CHECK(bad[0].key == job_key(example_job(0)));
+  CHECK(bad[0].outcome == Outcome::crashed);
+  CHECK(bad[1].key == metric.key);
+  CHECK(bad[1].kind == JobKind::metric);
+  CHECK(bad[1].packing.key == metric.parent);
+  CHECK(bad[2].packing.key == job_key(example_job(3)));
+  CHECK(store.unsuccessful("second").size() == 2);
+}
+
 TEST_CASE("a campaign names its jobs, in place of what it named before") {
   const ScratchFolder folder;
   Store store = Store::open(folder / "s", Store::Mode::create);
@@ -141,7 +186,7 @@ TEST_CASE("a campaign names its jobs, in place of what it named before") {
   CHECK(campaigns[0].title == "An example");
   CHECK(campaigns[0].file == "campaigns/first.json");
   CHECK(campaigns[0].settings == R"({"metrics":[{"bins":80,"name":"hellinger"}],"report":{"tables":["lognormal_2d"]},)"
-                                 R"("run":{"memory_mb":4096,"timing":"shared","wall_s":3600}})");
+                                 R"("run":{"cpu_s":0,"memory_mb":4096,"samples":1,"timing":"shared","wall_s":3600}})");
   const auto jobs = store.campaign_jobs("first");
   REQUIRE(jobs.size() == 3);
   CHECK(jobs[2].campaign == "first");

@@ -1,6 +1,7 @@
 // Runs that are cut off: kill -9, Ctrl-C, crashes of children, a store that is in use.
 #include "engine/base/host.h"
 #include "engine/base/random.h"
+#include "tests/campaigns/cli/job_processes.h"
 #include "tests/campaigns/cli/tamp_command.h"
 
 #include <catch2/catch.hpp>
@@ -10,34 +11,6 @@
 using namespace tamp;
 using namespace tamp::test;
 using Catch::Contains;
-
-namespace {
-
-/// The children of a run that have become `tamp job` (right after the fork they are still copies of the run).
-std::vector<pid_t> children_of(pid_t parent) {
-  std::vector<pid_t> found;
-  for (const auto& thread : fs::directory_iterator(fmt::format("/proc/{}/task", parent))) {
-    std::ifstream list(thread.path() / "children");
-    for (pid_t pid = 0; list >> pid;) {
-      std::ifstream command(fmt::format("/proc/{}/cmdline", pid));
-      std::string word;
-      std::getline(command, word, '\0');
-      if (std::getline(command, word, '\0') && word == "job")
-        found.push_back(pid);
-    }
-  }
-  return found;
-}
-
-bool alive(pid_t pid) {
-  std::ifstream stat(fmt::format("/proc/{}/stat", pid));
-  std::string number;
-  std::string name;
-  std::string state;
-  return stat >> number >> name >> state && state != "Z";
-}
-
-} // namespace
 
 TEST_CASE("a campaign killed twenty times at random moments ends like an uninterrupted one", "[slow]") {
   const Workshop shop(TAMP_BINARY);
@@ -134,8 +107,8 @@ TEST_CASE("a child that crashes is an outcome of its job alone, and the next run
   const Said said = shop.end(run);
   CAPTURE(said.out, said.err);
   CHECK(said.code == 1);
-  CHECK_THAT(said.err, Contains("failed: ended by signal SIGSEGV"));
-  CHECK_THAT(said.out, Contains("2 ok, 1 failed") && Contains("not possible, as their packing was not made: 1"));
+  CHECK_THAT(said.err, Contains("crashed: ended by signal SIGSEGV"));
+  CHECK_THAT(said.out, Contains("2 ok, 1 crashed") && Contains("not possible, as their packing was not made: 1"));
 
   CHECK(shop.tamp("run long.json").code == 0);
   for (const auto& [key, row] : shop.results("tamp-store"))

@@ -33,9 +33,9 @@ class Workshop {
 public:
   explicit Workshop(std::string binary) : binary_(std::move(binary)) {}
 
-  /// Starts `tamp ARGUMENTS` (shell words) in the folder.
-  ChildProcess start(const std::string& arguments) const {
-    const std::string script = fmt::format("cd '{}' && exec '{}' {} >'{}' 2>'{}'", folder().string(), binary_,
+  /// Starts `tamp ARGUMENTS` (shell words) in the folder; `before`: commands of the shell that becomes it.
+  ChildProcess start(const std::string& arguments, const std::string& before = "") const {
+    const std::string script = fmt::format("{}cd '{}' && exec '{}' {} >'{}' 2>'{}'", before, folder().string(), binary_,
                                            arguments, (said_ / "out").string(), (said_ / "err").string());
     return ChildProcess::start({.argv = {"/bin/sh", "-c", script}, .log = {}, .limits = {.wall_s = 300}});
   }
@@ -44,8 +44,8 @@ public:
     const bool exited = result.end == ProcessResult::End::exited;
     return {exited ? result.code : -result.code, read_file(said_ / "out"), read_file(said_ / "err")};
   }
-  Said tamp(const std::string& arguments) const {
-    ChildProcess child = start(arguments);
+  Said tamp(const std::string& arguments, const std::string& before = "") const {
+    ChildProcess child = start(arguments, before);
     return end(child);
   }
 

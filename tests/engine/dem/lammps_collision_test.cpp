@@ -101,14 +101,14 @@ TEST_CASE("two spheres collide as in LAMMPS, step by step") {
       {kModulus}, {damping_of_restitution(kRestitution)}, {effective_shear_modulus(solid, solid), kFriction, 1}};
   const std::vector<Ball> balls = approaching();
   State<3, Law> state = at_rest<3, Law>({balls[0].centre, balls[1].centre}, {balls[0].radius, balls[1].radius},
-                                        {balls[0].mass(), balls[1].mass()});
+                                        {balls[0].mass(), balls[1].mass()}, 0);
   for (std::size_t i = 0; i < 2; ++i) {
     state.velocity[i] = balls[i].velocity;
     state.spin[i] = balls[i].spin;
   }
   SearchBox<3> box;
   box.size = Vec<3>::Constant(10);
-  ForceField<3, Law> field(law, box, Vec<3>::Zero(), 0.3);
+  ForceField<3, Law> field(law, box, 0.3);
   const double dt = step();
   field.evaluate(state, 0);
   double worst = 0;

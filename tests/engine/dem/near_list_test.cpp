@@ -64,9 +64,9 @@ void check_against_all_pairs(std::uint64_t seed, unsigned periodic_axes) {
   constexpr double kMargin = 0.03;
   Spheres<D> s = random_spheres<D>(seed, periodic_axes, D == 2 ? 200 : 120);
   CandidateList<D> list;
-  CHECK(list.stale(s.centres));
+  CHECK(list.stale(s.box.size, s.centres));
   list.build(s.box, s.centres, s.radii, s.hold, kMargin);
-  CHECK_FALSE(list.stale(s.centres));
+  CHECK_FALSE(list.stale(s.box.size, s.centres));
   std::vector<NearPair<D>> expected;
   for_each_image(s, [&](const NearPair<D>& pair, double gap) {
     if (gap <= s.hold[pair.i] + s.hold[pair.j] + 2 * kMargin)
@@ -88,7 +88,7 @@ void check_against_all_pairs(std::uint64_t seed, unsigned periodic_axes) {
 
   // As long as the list is not stale, whatever touches or holds is in it.
   RandomStream random("near moves", seed);
-  for (int step = 0; step < 50 && !list.stale(s.centres); ++step) {
+  for (int step = 0; step < 50 && !list.stale(s.box.size, s.centres); ++step) {
     for_each_image(s, [&](const NearPair<D>& pair, double gap) {
       if (gap <= s.hold[pair.i] + s.hold[pair.j])
         CHECK(std::binary_search(list.pairs().begin(), list.pairs().end(), pair));
@@ -98,7 +98,7 @@ void check_against_all_pairs(std::uint64_t seed, unsigned periodic_axes) {
         c[a] += 0.004 * (2 * random.uniform() - 1) - (a == vertical<D> ? 0.01 : 0);
     }
   }
-  CHECK(list.stale(s.centres));
+  CHECK(list.stale(s.box.size, s.centres));
 }
 
 } // namespace
@@ -118,7 +118,7 @@ TEST_CASE("what all spheres move alike makes no list of a periodic box stale") {
   list.build(s.box, s.centres, s.radii, s.hold, 0.01);
   for (Vec<3>& c : s.centres)
     c += Vec<3>(0.3, -0.2, 0.5);
-  CHECK_FALSE(list.stale(s.centres));
+  CHECK_FALSE(list.stale(s.box.size, s.centres));
   s.centres[7][0] += 0.02;
-  CHECK(list.stale(s.centres));
+  CHECK(list.stale(s.box.size, s.centres));
 }

@@ -108,7 +108,6 @@ TEST_CASE("two spheres: closed form") {
   CHECK(r.sums.energy == Approx(0.125));
   CHECK(r.sums.virial == Approx(0.5 * 2.5));
   CHECK(r.sums.deepest == Approx(0.5));
-  CHECK(r.sums.nearest == Approx(2.5 / 3));
   CHECK(r.forces[0] == Approx(-0.5));
   CHECK(r.forces[3] == Approx(0.5));
 }

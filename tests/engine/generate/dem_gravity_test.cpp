@@ -116,6 +116,39 @@ TEST_CASE("a settled bed that is settled again stays where it is, a loose packin
   }
 }
 
+TEST_CASE("hard particles do not overlap, and what that costs is told", "[dem-gravity]") {
+  for (const double friction : {0.0, 0.5}) {
+    Job job = small_job();
+    job.scene.sides = Sides::walls;
+    job.method.material.friction = friction;
+    const Generated soft = generate({job, "hard"});
+    job.method.hard = true;
+    const Generated hard = generate({job, "hard"});
+    REQUIRE(hard.outcome == Outcome::ok);
+    const auto deepest = [](const Packing& p) {
+      double ratio = 1;
+      for (std::size_t i = 0; i < p.count(); ++i) {
+        for (std::size_t a = 0; a < 3; ++a) {
+          ratio = std::min(ratio, p.positions[3 * i + a] / p.radii[i]);
+          if (a < 2)
+            ratio = std::min(ratio, (p.size[a] - p.positions[3 * i + a]) / p.radii[i]);
+        }
+        for (std::size_t j = 0; j < i; ++j)
+          ratio = std::min(ratio, (p.centre<3>(i) - p.centre<3>(j)).norm() / (p.radii[i] + p.radii[j]));
+      }
+      return ratio;
+    };
+    const double ratio = deepest(soft.packing);
+    CHECK(ratio < 1);
+    CHECK(deepest(hard.packing) >= 1);
+    CHECK(hard.packing.radii == soft.packing.radii);
+    CHECK(hard.packing.size[0] == Approx(soft.packing.size[0] / ratio).epsilon(1e-12));
+    CHECK(measure_of(hard, "residual_overlap") == 0);
+    CHECK(measure_of(soft, "hard_cost_phi_relative") == 0);
+    CHECK(measure_of(hard, "hard_cost_phi_relative") == Approx(1 - ratio * ratio * ratio));
+  }
+}
+
 TEST_CASE("a sphere wider than the box is refused with the reason", "[dem-gravity]") {
   Job job = small_job();
   job.scene.psd.radius = 5;

@@ -1,6 +1,5 @@
 // dem-isostatic: the size of the box, starts from a packing, hard particles, and when it does not apply.
 #include "engine/generate/generator.h"
-#include "engine/generate/random_close_packing.h"
 #include "tests/engine/model/psd_examples.h"
 
 #include <catch2/catch.hpp>
@@ -31,15 +30,6 @@ std::map<std::string, double> measures(const Generated& out) {
 
 } // namespace
 
-TEST_CASE("the estimate of random close packing has the values of Farr and Groot") {
-  CHECK(random_close_packing(SizeLaw(monodisperse_psd(3), 3), 3) == Approx(0.6435).margin(2e-3));
-  CHECK(random_close_packing(SizeLaw(lognormal_psd(0.30, 0.3, 0.01, 100), 3), 3) == Approx(0.671).margin(2e-3));
-  CHECK(random_close_packing(SizeLaw(lognormal_psd(0.30, 0.68, 0.01, 500), 3), 3) == Approx(0.742).margin(2e-3));
-  CHECK(random_close_packing(SizeLaw(bimodal_psd(1, 2, 0.75), 3), 3) == Approx(0.682).margin(2e-3));
-  CHECK(random_close_packing(SizeLaw(bimodal_psd(1, 10, 0.75), 3), 3) == Approx(0.827).margin(2e-3));
-  CHECK(random_close_packing(SizeLaw(bimodal_psd(1, 40, 0.75), 3), 3) == Approx(0.851).margin(3e-3));
-}
-
 TEST_CASE("without a count the final box is the scene's: nearly when jammed, up to a sphere at a prescribed density") {
   Job job = isostatic_job(monodisperse_psd(1), 17);
   const Generated jammed = generate({job, "box"});
@@ -64,7 +54,7 @@ TEST_CASE("without a count the final box is the scene's: nearly when jammed, up 
 TEST_CASE("hard particles do not overlap, and the record says what that cost") {
   Job job = isostatic_job(lognormal_psd(0.3, 0.4, 0.3, 4), 20);
   const auto soft = measures(generate({job, "hard"}));
-  job.method.dem_isostatic.hard = true;
+  job.method.hard = true;
   const auto hard = measures(generate({job, "hard"}));
   CHECK(soft.at("residual_overlap") > 0);
   CHECK(soft.at("residual_overlap") <= 1e-4);

@@ -1,5 +1,5 @@
 // Rods on a line: the longest first, each into the widest gap.
-#include "engine/generate/random_close_packing.h"
+#include "engine/model/random_close_packing.h"
 
 #include <algorithm>
 #include <cmath>
