@@ -4,6 +4,7 @@
 #include "campaigns/cli/names.h"
 #include "campaigns/cli/open_store.h"
 #include "campaigns/cli/plan_costs.h"
+#include "campaigns/cli/plan_effects.h"
 #include "engine/base/files.h"
 #include "engine/schedule/resources.h"
 
@@ -69,8 +70,10 @@ int plan(const Options& options) {
   if (!options.dot.empty())
     write_atomically(options.dot, flow_dot(agenda, options.dot_jobs ? FlowDetail::jobs : FlowDetail::methods));
 
-  for (const Plan& one : plans)
+  for (const Plan& one : plans) {
     print_campaign(one);
+    fmt::print("{}", effects_in_words(one));
+  }
   print_jobs(agenda);
   fmt::print("{} jobs: {} recorded ({}), {} to run", agenda.items.size(), agenda.count(Standing::recorded),
              in_words(recorded_outcomes(agenda)), agenda.count(Standing::open));
@@ -83,9 +86,9 @@ int plan(const Options& options) {
 }
 
 constexpr const char* kExamples =
-    R"(Checks the files, lists every packing with its key and how it stands in the store, counts, and says
-what the rest will take in time and memory, learned from the records of the store. Writes nothing,
-but with --dot the graph of what waits for what, for Graphviz.
+    R"(Checks the files, tells which effects will be simulated, which left out and by which rule, lists every
+packing with its key and how it stands in the store, counts, and says what the rest will take in time
+and memory, learned from the records of the store. Writes nothing, but with --dot the graph of what waits for what, for Graphviz.
 Examples:
   tamp plan campaigns/*.json
   tamp plan --store results campaigns/lognormal-2d.json | grep 'to run'

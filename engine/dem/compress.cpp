@@ -31,8 +31,7 @@ constexpr double kLeastContacts = 2;
 constexpr double kPressureDrop = 3;
 constexpr double kAim = 0.8;
 
-/// A stage is over when the rms net force is below this many mean contact forces and the pressure within this share.
-constexpr double kBalanced = 2e-2;
+/// A stage is over when forces balance as the task asks, and the pressure is within this share.
 constexpr double kPressureReached = 0.05;
 /// It is also over when the volume changed by less than the task's share within a window of so many evaluations, but
 /// not before so many evaluations: the first to answer a new pressure is the box, not the spheres.
@@ -182,7 +181,7 @@ private:
       if (minimiser_.balance() < kJammed)
         return CompressEnd::jammed;
     } else if (std::abs(present_pressure() / stage_.pressure - 1) < kPressureReached) {
-      const bool balanced = minimiser_.balance() < kBalanced;
+      const bool balanced = minimiser_.balance() < task_.force_balance;
       const bool at_rest = stage_.strain < task_.stop_strain && s_.evaluations - stage_.began >= kLeastStage;
       stage_.patience = shallow ? stage_.patience + 1 : 0;
       if (prescribed && (balanced || at_rest)) {
@@ -262,25 +261,28 @@ Compressed<D> press(const CompressTask<D>& task) {
 template <int D>
 struct Row {
   ContactEffects effects;
+  bool minimise;
   Compressed<D> (*kernel)(const CompressTask<D>&);
 };
 
 template <int D>
 constexpr Row<D> kKernels[] = {
-    {{AdhesionLaw::none, false}, &minimise<D>},
-    {{AdhesionLaw::none, true}, &press<D, Hertz, Mindlin>},
-    {{AdhesionLaw::dmt, false}, &press<D, Dmt, NoFriction>},
-    {{AdhesionLaw::dmt, true}, &press<D, Dmt, Mindlin>},
-    {{AdhesionLaw::jkr, false}, &press<D, Jkr, NoFriction>},
-    {{AdhesionLaw::jkr, true}, &press<D, Jkr, Mindlin>},
+    {{AdhesionLaw::none, false}, true, &minimise<D>},
+    {{AdhesionLaw::none, false}, false, &press<D, Hertz, NoFriction>},
+    {{AdhesionLaw::none, true}, false, &press<D, Hertz, Mindlin>},
+    {{AdhesionLaw::dmt, false}, false, &press<D, Dmt, NoFriction>},
+    {{AdhesionLaw::dmt, true}, false, &press<D, Dmt, Mindlin>},
+    {{AdhesionLaw::jkr, false}, false, &press<D, Jkr, NoFriction>},
+    {{AdhesionLaw::jkr, true}, false, &press<D, Jkr, Mindlin>},
 };
 
 } // namespace
 
 template <int D>
 Compressed<D> compress(const CompressTask<D>& task) {
+  const bool enthalpy_alone = task.effects == ContactEffects{} && !task.in_time;
   for (const Row<D>& row : kKernels<D>) {
-    if (row.effects == task.effects)
+    if (row.effects == task.effects && row.minimise == enthalpy_alone)
       return row.kernel(task);
   }
   throw InputError("no kernel has these effects");

@@ -21,13 +21,15 @@ struct CompressTask {
   std::vector<double> radii;
 
   double target_phi = std::numeric_limits<double>::quiet_NaN(); ///< NaN: until jammed
-  double overlap = 1e-4;     ///< largest overlap tolerated at the end, relative to the smaller radius
-  double pressure = 1e-2;    ///< of the compression, in units of the contacts' modulus: the order of relative overlaps;
-                             ///< not of spheres that rub or adhere
-  double rate = 1e-3;        ///< the box edge shrinks by at most this share in one step
-  double stop_strain = 1e-4; ///< a stage ends when the volume changes by less than this share in 100 evaluations
+  double overlap = 1e-4;  ///< largest overlap tolerated at the end, relative to the smaller radius
+  double pressure = 1e-2; ///< of the compression, in units of the contacts' modulus: the order of relative overlaps;
+                          ///< not of spheres that rub or adhere
+  double rate = 1e-3;     ///< the box edge shrinks by at most this share in one step
+  double force_balance = 1e-2; ///< a stage ends when the rms net force of a sphere is this many mean contact forces
+  double stop_strain = 1e-4;   ///< it also ends when the volume changes by less than this share in 100 evaluations
 
   ContactEffects effects = {};
+  bool in_time = false;       ///< follow the motion also where there is neither friction nor adhesion
   double load = 1;            ///< pressure on the box, of spheres that rub or adhere
   double modulus = 0;         ///< their E* to start with
   double largest_modulus = 0; ///< contacts are stiffened up to this where they overlap too much

@@ -28,10 +28,9 @@ inline constexpr std::int64_t kPressWatch = 100;
 inline constexpr double kPressDamping = 0.25;
 inline constexpr double kPressSlowing = 0.01;
 inline constexpr std::int64_t kPressMatch = 20;
-/// A stage is over when the pressure is within this share of the load, the rms net force of the spheres touched is this
-/// share of the mean contact force, and the box rests.
+/// A stage is over when the pressure is within this share of the load, the forces of the spheres touched balance as the
+/// task asks, and the box rests.
 inline constexpr double kPressReached = 0.02;
-inline constexpr double kPressBalance = 2e-2;
 /// Contacts become stiffer by at most this factor at once; the last time they aim at this share of the tolerated
 /// overlap. After so many times without a smaller overlap they are left as they are.
 inline constexpr double kPressStiffening = 4;
@@ -213,7 +212,7 @@ private:
   std::optional<CompressEnd> judge(const Look& l) {
     const bool apart = fixed_ != 0 && l.pressure < kUnloaded * task_.load && l.contacts.overlap <= task_.overlap;
     const bool rests =
-        l.balance <= kPressBalance &&
+        l.balance <= task_.force_balance &&
         (fixed_ != 0 || (std::abs(l.pressure / task_.load - 1) <= kPressReached && l.strain < task_.stop_strain));
     if (apart)
       return CompressEnd::done;

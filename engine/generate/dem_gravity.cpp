@@ -3,7 +3,6 @@
 
 #include "engine/dem/settle.h"
 #include "engine/generate/harden.h"
-#include "engine/generate/material_effects.h"
 #include "engine/generate/settling_scene.h"
 
 #include <fmt/format.h>
@@ -54,31 +53,13 @@ private:
                     {"hard_cost_phi_relative", 1 - std::pow(wider, -D), "1"},
                     {"force_balance", bed.force_balance, "1"},
                     {"effective_modulus", bed.modulus * scene_.units.pressure, "Pa"}};
-    if (in_time(task.effects)) {
+    if (!task.minimise) {
       out.measures.push_back({"kinetic_energy", bed.kinetic_energy, "1"});
       out.measures.push_back({"step", bed.step * scene_.units.time, "s"});
     }
     if (task.adhesion > 0)
       out.measures.push_back({"tabor", scene_.tabor, "1"});
-    out.effects = effects(task);
     return out;
-  }
-
-  [[nodiscard]] Effects effects(const SettleTask<D>& task) const {
-    Effects e;
-    e.simulated = {"gravity", "Hertz contacts (softened to the tolerated overlap)"};
-    const std::string quasi_static = "no friction and no adhesion: energy is minimised, which has no time";
-    if (in_time(task.effects)) {
-      e.simulated.emplace_back("inertia");
-      e.simulated.emplace_back("damping by restitution (Tsuji)");
-      e.simulated.emplace_back("local damping and inertia matched to stiffness, once the bed has its shape");
-      e.simulated.emplace_back("in the fall, particles below the median are denser");
-    } else {
-      e.left_out.push_back({"inertia", quasi_static});
-      e.left_out.push_back({"damping", quasi_static});
-    }
-    tell_contact_effects(method_.material, scene_.tabor, e);
-    return e;
   }
 
   const Method& method_;

@@ -53,6 +53,7 @@ public:
     task_.pressure = method_.pressure;
     task_.rate = method_.rate;
     task_.stop_strain = method_.stop_strain;
+    task_.force_balance = method_.force_tolerance;
     task_.checkpoint = request_.checkpoint;
     if (request_.progress)
       task_.progress = [this] { request_.progress(task_.radii.size()); };
@@ -99,11 +100,8 @@ private:
       task_.positions[i] = places.uniform() * task_.size[static_cast<int>(i % D)];
   }
 
-  /// Whether spheres rub or adhere, so that motion is followed, not enthalpy minimised.
-  [[nodiscard]] bool in_time() const {
-    const Material& material = request_.job.method.material;
-    return material.friction > 0 || material.adhesion > 0;
-  }
+  /// Whether motion is followed, not enthalpy minimised.
+  [[nodiscard]] bool in_time() const { return moves_in_time(request_.job.method.material); }
 
   /// Where motion is followed, takes the mean radius and the load as units and sets what the contacts need.
   void set_contacts() {
@@ -119,6 +117,7 @@ private:
     const double metre = length_ * metres(unit_);
     tabor_ = tabor_of(material, metre);
     task_.effects = effects_of(material, tabor_);
+    task_.in_time = true;
     task_.poisson = material.poisson;
     task_.friction = material.friction;
     task_.adhesion = material.adhesion / (method_.load * metre);
@@ -202,28 +201,7 @@ private:
       if (task_.adhesion > 0)
         out.measures.push_back({"tabor", tabor_, "1"});
     }
-    out.effects = effects();
     return out;
-  }
-
-  [[nodiscard]] Effects effects() const {
-    Effects e;
-    e.left_out = {{"gravity", "isostatic: the load is a pressure"}, {"walls", "isostatic: every axis is periodic"}};
-    if (in_time()) {
-      e.simulated = {"Hertz contacts (softened to the tolerated overlap)", "isotropic compression of a periodic box",
-                     "local damping and inertia matched to stiffness"};
-      e.left_out.push_back({"inertia", "quasi-static: it only decides how long the way takes"});
-      tell_contact_effects(request_.job.method.material, tabor_, e);
-    } else {
-      const std::string minimised = "without friction and adhesion the enthalpy is minimised, which has no time";
-      e.simulated = {"elastic repulsion (harmonic)", "isotropic compression of a periodic box"};
-      e.left_out.push_back({"inertia", minimised});
-      e.left_out.push_back({"damping", minimised});
-      e.left_out.push_back({"friction", "mu = 0"});
-      e.left_out.push_back({"rotation", "without friction nothing turns a sphere"});
-      e.left_out.push_back({"adhesion", "W = 0"});
-    }
-    return e;
   }
 
   const Request& request_;

@@ -5,6 +5,7 @@
 #include "engine/generate/dem_gravity.h"
 #include "engine/generate/dem_isostatic.h"
 #include "engine/generate/drop_and_roll/drop_and_roll.h"
+#include "engine/generate/effects_ledger.h"
 #include "engine/generate/lammps/lammps_gravity.h"
 #include "engine/generate/lammps/lammps_isostatic.h"
 #include "engine/generate/lattice.h"
@@ -13,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <numeric>
 
 namespace tamp {
 
@@ -28,6 +30,12 @@ constexpr std::array kGenerators = {
     Generator{MethodName::lammps_isostatic, &generate_lammps_isostatic},
 };
 
+/// In metres.
+double mean_radius(const Packing& packing) {
+  return std::accumulate(packing.radii.begin(), packing.radii.end(), 0.0) / static_cast<double>(packing.count()) *
+         metres(packing.unit);
+}
+
 } // namespace
 
 std::span<const Generator> generators() {
@@ -41,7 +49,13 @@ Generated generate(const Request& request) {
     throw InputError(
         fmt::format("{} {}", name_of(method),
                     start == Start::scene ? "cannot start from a packing" : "needs a packing to start from"));
-  return kGenerators[static_cast<std::size_t>(method)].generate(request);
+  Generated out = kGenerators[static_cast<std::size_t>(method)].generate(request);
+  if (out.packing.count() > 0) {
+    const Effects ledger = effects_ledger(request.job.scene, request.job.method, mean_radius(out.packing));
+    out.effects.simulated.insert(out.effects.simulated.begin(), ledger.simulated.begin(), ledger.simulated.end());
+    out.effects.left_out.insert(out.effects.left_out.begin(), ledger.left_out.begin(), ledger.left_out.end());
+  }
+  return out;
 }
 
 } // namespace tamp

@@ -20,9 +20,9 @@ namespace tamp {
 struct Generated {
   Packing packing;
   Outcome outcome = Outcome::ok;
-  std::string reason; ///< empty when ok
-  Effects effects;
-  std::vector<Measure> measures;                    ///< what only the generator can know: attempts, failures, …
+  std::string reason;            ///< empty when ok
+  Effects effects;               ///< what generate() tells of the method's rules, and what only the generator can know
+  std::vector<Measure> measures; ///< what only the generator can know: attempts, failures, …
   std::map<std::string, std::string> programs = {}; ///< other programs that did the work, and their versions
   double programs_cpu_s = 0;                        ///< CPU time of those
 };

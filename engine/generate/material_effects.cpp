@@ -1,12 +1,8 @@
-// The rules from a material's numbers to contact effects, and their words in records.
+// The rules from a material's numbers to contact effects.
 #include "engine/generate/material_effects.h"
 
 #include "engine/contact/material.h"
 #include "engine/contact/tabor.h"
-
-#include <fmt/format.h>
-
-#include <string>
 
 namespace tamp {
 
@@ -20,9 +16,12 @@ double tabor_of(const Material& material, double radius) {
 }
 
 ContactEffects effects_of(const Material& material, double tabor) {
+  const bool all = material.simulate == Simulate::all;
   ContactEffects effects;
-  effects.friction = material.friction > 0;
-  if (material.adhesion > 0) {
+  effects.friction = material.friction > 0 || all;
+  if (all && material.adhesion == 0) {
+    effects.adhesion = material.adhesion_model == AdhesionModel::dmt ? AdhesionLaw::dmt : AdhesionLaw::jkr;
+  } else if (material.adhesion > 0) {
     const bool jkr = material.adhesion_model == AdhesionModel::tabor ? adheres_as_jkr(tabor)
                                                                      : material.adhesion_model == AdhesionModel::jkr;
     effects.adhesion = jkr ? AdhesionLaw::jkr : AdhesionLaw::dmt;
@@ -30,23 +29,8 @@ ContactEffects effects_of(const Material& material, double tabor) {
   return effects;
 }
 
-void tell_contact_effects(const Material& material, double tabor, Effects& effects) {
-  const ContactEffects called = effects_of(material, tabor);
-  if (called.friction) {
-    effects.simulated.emplace_back("friction (Mindlin, Coulomb), with rotation and memory of contacts");
-  } else {
-    effects.left_out.push_back({"friction", "mu = 0"});
-    effects.left_out.push_back({"rotation", "without friction nothing turns a sphere"});
-  }
-  if (called.adhesion == AdhesionLaw::none) {
-    effects.left_out.push_back({"adhesion", "W = 0"});
-  } else {
-    const bool forced = material.adhesion_model != AdhesionModel::tabor;
-    const std::string why = forced ? std::string("as asked for") : fmt::format("Tabor's parameter {:.3g}", tabor);
-    effects.simulated.push_back(
-        fmt::format("adhesion ({}: {})", called.adhesion == AdhesionLaw::jkr ? "JKR" : "DMT", why));
-  }
-  effects.left_out.push_back({"rolling resistance", "the method has no parameter for it"});
+bool moves_in_time(const Material& material) {
+  return effects_of(material, 0) != ContactEffects{} || material.simulate != Simulate::called_for;
 }
 
 } // namespace tamp

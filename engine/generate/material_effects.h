@@ -3,7 +3,6 @@
 
 #include "engine/dem/effects.h"
 #include "engine/model/method.h"
-#include "engine/model/record.h"
 
 namespace tamp {
 
@@ -13,10 +12,12 @@ double hard_modulus(const Material& material);
 /// Tabor's parameter of particles of this radius in metres.
 double tabor_of(const Material& material, double radius);
 
-/// Friction if mu > 0; adhesion if W > 0, by the law that Tabor's parameter says or the material asks for.
+/// Friction if mu > 0; adhesion if W > 0, by the law that Tabor's parameter says or the material asks for. All of them,
+/// adhesion by JKR unless DMT is asked for, where the material wants every effect simulated.
 ContactEffects effects_of(const Material& material, double tabor);
 
-/// Adds to a record which of friction, rotation and adhesion ran, which did not, and why.
-void tell_contact_effects(const Material& material, double tabor, Effects& effects);
+/// Whether motion is followed in time: with any of these effects, or because the material asks for it. Else energy is
+/// minimised.
+bool moves_in_time(const Material& material);
 
 } // namespace tamp

@@ -3,6 +3,7 @@
 
 #include "engine/contact/hertz.h"
 #include "engine/contact/spin.h"
+#include "engine/dem/time_step.h"
 #include "engine/generate/material_effects.h"
 #include "engine/generate/radius_sampler.h"
 
@@ -24,6 +25,9 @@ constexpr double kSoftStart = 20;
 constexpr double kSoftBed = 0.1;
 /// The largest contact force of a bed in units of the weight of a column of spheres: force chains.
 constexpr double kForceChain = 4;
+
+// Campaigns state the number that the stability of the step was judged by.
+static_assert(DemGravity{}.steps_per_collision == kStepsPerCollision);
 
 BedUnits bed_units(const std::vector<double>& radii, LengthUnit unit, const Method& method) {
   BedUnits units;
@@ -127,6 +131,7 @@ SettleTask<D> SettlingScene<D>::task(const Request& request, bool always_in_time
   task.overlap = gravity.overlap;
   task.force_balance = gravity.force_balance;
   task.kinetic_energy = gravity.kinetic_energy;
+  task.steps_per_collision = gravity.steps_per_collision;
   task.checkpoint = request.checkpoint;
   if (request.progress) {
     const auto n = static_cast<double>(cloud.radii.size());
@@ -136,8 +141,9 @@ SettleTask<D> SettlingScene<D>::task(const Request& request, bool always_in_time
   const double hard = hard_modulus(material);
   tabor = tabor_of(material, units.metre);
   task.effects = effects_of(material, tabor);
+  task.minimise = !moves_in_time(material);
   task.largest_modulus = hard / units.pressure;
-  task.modulus = std::min(task.largest_modulus, soft_modulus(task, always_in_time || in_time(task.effects)));
+  task.modulus = std::min(task.largest_modulus, soft_modulus(task, always_in_time || !task.minimise));
   return task;
 }
 

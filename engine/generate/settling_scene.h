@@ -41,11 +41,6 @@ struct SettlingScene {
   [[nodiscard]] Packing packing(std::span<const Vec<D>> centres) const;
 };
 
-/// Whether motion is followed in time, not energy minimised.
-inline bool in_time(const ContactEffects& effects) {
-  return effects != ContactEffects{};
-}
-
 extern template struct SettlingScene<2>;
 extern template struct SettlingScene<3>;
 

@@ -66,6 +66,15 @@ struct EnumNames<FlatBody> {
   static constexpr std::array<std::string_view, 2> value{"disc", "sphere"};
 };
 
+/// Which effects of a scene are simulated. called_for: those that its numbers ask for; without friction and adhesion
+/// energy is minimised. in_time: the same effects, but motion is always followed. all: every effect there is, also
+/// those whose numbers are 0, to show what it saves to leave them out.
+enum class Simulate { called_for, in_time, all };
+template <>
+struct EnumNames<Simulate> {
+  static constexpr std::array<std::string_view, 3> value{"called-for", "in-time", "all"};
+};
+
 /// The powder's material and what its contacts do, in SI units; the defaults are a metal powder (steel) without
 /// adhesion and friction.
 struct Material {
@@ -76,6 +85,7 @@ struct Material {
   double restitution = 0.5; ///< e
   double adhesion = 0;      ///< work of adhesion W, J/m²; 0: none
   AdhesionModel adhesion_model = AdhesionModel::tabor;
+  Simulate simulate = Simulate::called_for;
 };
 
 struct DemGravity {
@@ -84,6 +94,7 @@ struct DemGravity {
   double cloud_phi = 0.2;                ///< packing fraction of the loose cloud that settles
   double overlap = 1e-3;                 ///< largest overlap of the bed, relative to the smaller radius
   double force_balance = 5e-3;           ///< rms net force of a sphere in mean contact forces at which the bed rests
+  double steps_per_collision = 10;       ///< time steps in the collision time of the stiffest, lightest pair
   double kinetic_energy = 1e-4;          ///< mean per sphere in units of its weight times the mean radius
 };
 
@@ -97,6 +108,7 @@ struct DemIsostatic {
   double target_phi = unstated;    ///< packing fraction to stop at; not stated: compress until jammed
   double start_phi = 0.5;          ///< of the spheres thrown into the box at random, without friction and adhesion
   double overlap_tolerance = 1e-4; ///< largest overlap of the packing, relative to the smaller radius
+  double force_tolerance = 1e-2;   ///< rms net force over the mean contact force at which forces balance
   double pressure = 1e-2;          ///< of the compression, in units of the contacts' modulus
   double rate = 1e-3;              ///< largest share by which the box edge shrinks in one step of the minimiser
   double load = 1e3;               ///< pressure on the box, Pa; of spheres that rub or adhere

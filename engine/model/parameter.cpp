@@ -213,6 +213,13 @@ std::vector<Parameter<Method>> method_table() {
           "Law of adhesion: JKR, DMT, or whichever Tabor's parameter of the mean radius says.",
           [](Method & m) -> auto& { return m.material.adhesion_model; }, forces_words, forces),
       row<Method>(
+          "simulate", "1", kAny,
+          "Which effects run: those that the scene calls for; these, but always followed in time; or all there are, "
+          "also "
+          "those whose numbers are 0, to show what it saves to leave them out.",
+          [](Method & m) -> auto& { return m.material.simulate; }, "name = dem-gravity or dem-isostatic",
+          &method_is<MethodName::dem_gravity, MethodName::dem_isostatic>),
+      row<Method>(
           "gravity", "m/s^2", kPositive, "Acceleration of gravity.",
           [](Method & m) -> auto& { return m.dem_gravity.gravity; }, gravity_words, gravity),
       row<Method>(
@@ -235,6 +242,13 @@ std::vector<Parameter<Method>> method_table() {
           "The bed rests when the rms net force of a particle is this share of the mean contact force; where energy is "
           "minimised also when, after 20000 evaluations, the mean height no longer changes.",
           [](Method & m) -> auto& { return m.dem_gravity.force_balance; }, gravity_words, gravity),
+      row<Method>(
+          "steps_per_collision", "1", {1, 1e4},
+          "Time steps in the duration of the shortest collision. A step that proves unstable is halved and done again. "
+          "Of "
+          "no account where energy is minimised.",
+          [](Method & m) -> auto& { return m.dem_gravity.steps_per_collision; }, "name = dem-gravity",
+          &method_is<MethodName::dem_gravity>),
       row<Method>(
           "kinetic_energy", "1", kPositive,
           "The bed rests when the mean kinetic energy of a particle is this many times its weight times the mean "
@@ -267,6 +281,14 @@ std::vector<Parameter<Method>> method_table() {
           [](Method & m) -> auto& { return m.dem_isostatic.overlap_tolerance; },
           "name = dem-isostatic or lammps-isostatic",
           &method_is<MethodName::dem_isostatic, MethodName::lammps_isostatic>),
+      row<Method>(
+          "force_tolerance", "1", {1e-6, 0.5},
+          "Forces balance, and the pressure may fall, when the rms net force of a particle is this share of the mean "
+          "contact force; what is left is the measure force_balance. Without friction phi errs by about 0.16 % at "
+          "0.01, in "
+          "proportion to it; with friction by less than 0.5 % up to 0.05, while half of it doubles the time "
+          "(campaigns/accuracy-cost.json).",
+          [](Method & m) -> auto& { return m.dem_isostatic.force_tolerance; }, isostatic_words, isostatic),
       row<Method>(
           "pressure", "1", {1e-6, 0.1},
           "Pressure of the compression in units of the contacts' modulus: the order of relative overlaps on the way. "

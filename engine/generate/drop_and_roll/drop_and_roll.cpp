@@ -167,11 +167,6 @@ private:
                     {"excluded", count(excluded_), "1"},
                     {"unresolved", count(unresolved_), "1"},
                     {"events", count(descent_.events()), "1"}};
-    out.effects.simulated = {"gravity (quasi-static steepest descent)", "hard contacts"};
-    out.effects.left_out = {{"inertia", "drop-and-roll is quasi-static: a sphere has no velocity to keep"},
-                            {"friction", "contacts are smooth: only the normal direction is blocked"},
-                            {"adhesion", "contacts do not pull"},
-                            {"response of the bed", "placed spheres do not move"}};
     out.packing = std::move(packing_);
     return out;
   }

@@ -214,7 +214,9 @@ private:
                     {"step", step_ * scene_.units.time, "s"}};
     if (task_.adhesion > 0)
       out.measures.push_back({"tabor", scene_.tabor, "1"});
-    out.effects = effects();
+    if (rested_)
+      out.effects.simulated.push_back(
+          fmt::format("rest by forces, kinetic energy, height and contacts ({})", ended_by()));
     out.programs["LAMMPS"] = fmt::format("{} ({}): {}", program_.version, fmt::join(program_.command, " "),
                                          fmt::join(lammps_styles(task_), ", "));
     out.programs_cpu_s = cpu_s_;
@@ -241,30 +243,6 @@ private:
         late = fmt::format("last to meet its limit: {}", fmt::join(missed, ", "));
     }
     return late;
-  }
-
-  [[nodiscard]] Effects effects() const {
-    Effects e;
-    e.simulated = {"gravity", "Hertz contacts (softened to the tolerated overlap)", "inertia",
-                   "damping by restitution (Tsuji)",
-                   "once the bed has its shape: inertia matched to the stiffness of contacts, local damping"};
-    if (rested_)
-      e.simulated.push_back(fmt::format("rest by forces, kinetic energy, height and contacts ({})", ended_by()));
-    if (task_.effects.friction) {
-      e.simulated.emplace_back("friction (Mindlin, Coulomb), with rotation and memory of contacts");
-    } else {
-      e.left_out.push_back({"friction", "mu = 0"});
-      e.left_out.push_back({"rotation", "without friction nothing turns a sphere"});
-    }
-    if (task_.effects.adhesion == AdhesionLaw::none)
-      e.left_out.push_back({"adhesion", "W = 0"});
-    else
-      e.simulated.push_back(fmt::format("adhesion ({}: {})", task_.effects.adhesion == AdhesionLaw::jkr ? "JKR" : "DMT",
-                                        method_.material.adhesion_model != AdhesionModel::tabor
-                                            ? std::string("as asked for")
-                                            : fmt::format("Tabor's parameter {:.3g}", scene_.tabor)));
-    e.left_out.push_back({"rolling resistance", "the method has no parameter for it"});
-    return e;
   }
 
   const Method& method_;

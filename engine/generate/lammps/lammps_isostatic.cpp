@@ -227,13 +227,6 @@ private:
                     {"pressure", pressure_, "1"},
                     {"stages", static_cast<double>(stages_), "1"},
                     {"step_halvings", static_cast<double>(halvings_), "1"}};
-    out.effects.simulated = {"elastic repulsion (Hertz)", "isotropic compression of a periodic box", "inertia",
-                             "damping by restitution (Tsuji)", "drag beside the motion of the box"};
-    out.effects.left_out = {{"gravity", "isostatic: the load is a pressure"},
-                            {"walls", "isostatic: every axis is periodic"},
-                            {"friction", "the method has none (NANF)"},
-                            {"rotation", "without friction nothing turns a sphere"},
-                            {"adhesion", "the method has none (NANF)"}};
     out.programs["LAMMPS"] = fmt::format("{} ({}): {}", program_.version, fmt::join(program_.command, " "),
                                          fmt::join(isostatic_styles(D), ", "));
     out.programs_cpu_s = cpu_s_;

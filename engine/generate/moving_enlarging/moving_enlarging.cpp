@@ -121,11 +121,6 @@ Generated generate_moving_enlarging(const Request& request) {
                     {"sweeps", static_cast<double>(sweeps), "1"},
                     {"phi_box_gain", bed.solid_share() - before, "1"},
                     {"largest_growth", largest_growth, "1"}};
-    out.effects.simulated = {"hard contacts", "growth of the spheres"};
-    out.effects.left_out = {{"gravity", "spheres move into the middle of their neighbours, wherever that is"},
-                            {"inertia", "spheres are placed, they have no velocity"},
-                            {"friction", "spheres do not slide along each other"},
-                            {"adhesion", "contacts do not pull"}};
     out.packing = std::move(bed.packing());
     return out;
   });
