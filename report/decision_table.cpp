@@ -34,8 +34,7 @@ std::optional<double> time_per_sphere(const Run& run, double /*phi_exp*/) {
 }
 
 std::optional<double> density(const Run& run, double /*phi_exp*/) {
-  const auto whole = is_periodic_all_round(run.planned.job.method) ? run.measure("phi_box") : std::nullopt;
-  return whole ? whole : run.measure("phi");
+  return density_of(run);
 }
 
 std::optional<double> distance(const Run& run, double phi_exp) {

@@ -132,23 +132,6 @@ void add_plateaus(const SizeFamily& family, Panel& panel, std::string& reasons) 
   }
 }
 
-void drop_empty_columns(Panel& panel) {
-  for (std::size_t column = panel.columns.size(); column-- > 0;) {
-    const bool used = std::any_of(panel.groups.begin(), panel.groups.end(), [&](const Group& group) {
-      return std::any_of(group.lines.begin(), group.lines.end(),
-                         [&](const Group::Line& line) { return !line.cells[column].empty(); });
-    });
-    if (used)
-      continue;
-    const auto at = static_cast<std::ptrdiff_t>(column);
-    panel.columns.erase(panel.columns.begin() + at);
-    for (Group& group : panel.groups) {
-      for (Group::Line& line : group.lines)
-        line.cells.erase(line.cells.begin() + at);
-    }
-  }
-}
-
 Note columns_note() {
   return {"Columns",
           "Mean ± sample standard deviation over the n replicates that ended ok. ⟨X⟩: edge of the box. "

@@ -37,6 +37,11 @@ bool is_periodic_all_round(const Method& method) {
   return method.name == MethodName::dem_isostatic || method.name == MethodName::lammps_isostatic;
 }
 
+std::optional<double> density_of(const Run& run) {
+  const auto whole = is_periodic_all_round(run.planned.job.method) ? run.measure("phi_box") : std::nullopt;
+  return whole ? whole : run.measure("phi");
+}
+
 std::vector<std::string> ok_keys(const RunGroup& group) {
   std::vector<std::string> keys;
   for (const Run& run : group.runs) {

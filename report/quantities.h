@@ -37,6 +37,9 @@ bool any_has(std::span<const RunGroup> groups, std::string_view measure);
 /// there, so that its box is not the scene's, either.
 bool is_periodic_all_round(const Method& method);
 
+/// The packing fraction of one run: of the whole box where it is periodic all round, else of the central sub-box.
+std::optional<double> density_of(const Run& run);
+
 /// The keys of the ok runs of a group.
 std::vector<std::string> ok_keys(const RunGroup& group);
 

@@ -4,10 +4,12 @@
 #include "engine/base/error.h"
 #include "engine/base/files.h"
 #include "engine/model/report_tables.h"
+#include "report/accuracy_table.h"
 #include "report/bimodal_tables.h"
 #include "report/csv.h"
 #include "report/decision_table.h"
 #include "report/domain_size_table.h"
+#include "report/effects_table.h"
 #include "report/latex.h"
 #include "report/lognormal_table.h"
 #include "report/manifest.h"
@@ -71,6 +73,15 @@ MadeTable make_powders(const ReportInput& input, std::string_view) {
   return {powders_table(input.runs), records_csv({})};
 }
 
+MadeTable make_accuracy(const ReportInput& input, std::string_view) {
+  const std::vector<KnobFamily> families = knob_families(input.runs);
+  return finish(input, accuracy_table(families), group_runs(input.runs), "powder");
+}
+
+MadeTable make_effects(const ReportInput& input, std::string_view) {
+  return finish(input, effects_table(input.runs), group_runs(input.runs), "powder");
+}
+
 struct Maker {
   std::string_view name;
   MadeTable (*make)(const ReportInput& input, std::string_view name);
@@ -79,6 +90,7 @@ struct Maker {
 constexpr std::array kMakers = {
     Maker{"powders", make_powders},    Maker{"lognormal_2d", make_lognormal}, Maker{"lognormal_3d", make_lognormal},
     Maker{"bimodal_3d", make_bimodal}, Maker{"furnas", make_furnas},          Maker{"domain_size", make_domain_size},
+    Maker{"accuracy", make_accuracy},  Maker{"effects", make_effects},
 };
 
 constexpr bool every_table_has_a_maker() {
@@ -151,12 +163,21 @@ struct Unreadable {
   }
 };
 
+/// None for a campaign that asks for nothing but what knobs or effects do: many of its settings are bad ones on
+/// purpose.
+Table decision_of(const ReportInput& input) {
+  const std::vector<std::string>& tables = input.plan.report.tables;
+  const bool of_knobs = std::all_of(tables.begin(), tables.end(),
+                                    [](const auto& name) { return name == "accuracy" || name == "effects"; });
+  return of_knobs ? Table{} : decision_table(input.runs, input.plan.report.phi_exp);
+}
+
 } // namespace
 
 std::vector<Table> report_tables(const ReportInput& input) {
   require_tables(input.plan);
   std::vector<Table> tables;
-  if (Table decision = decision_table(input.runs, input.plan.report.phi_exp); !decision.panels.empty())
+  if (Table decision = decision_of(input); !decision.panels.empty())
     tables.push_back(std::move(decision));
   for (const std::string& name : input.plan.report.tables)
     tables.push_back(make_table(input, name).table);
@@ -177,7 +198,7 @@ std::vector<ReportFile> make_report(const ReportInput& asked) {
   require_tables(plan);
   std::vector<ReportFile> files;
   std::vector<Table> tables;
-  if (Table decision = decision_table(input.runs, input.plan.report.phi_exp); !decision.panels.empty()) {
+  if (Table decision = decision_of(input); !decision.panels.empty()) {
     files.push_back({"decision.tex", latex_fragment(decision)});
     files.push_back({"decision.csv", csv_table(decision)});
     tables.push_back(std::move(decision));

@@ -79,6 +79,9 @@ struct Panel {
   [[nodiscard]] bool one_line_groups() const;
 };
 
+/// Takes away the columns in which no line has anything.
+void drop_empty_columns(Panel& panel);
+
 /// Texts of captions and notes may mention symbols (report/symbols.h).
 struct Note {
   std::string heading;

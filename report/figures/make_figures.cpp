@@ -21,6 +21,7 @@ struct Maker {
 };
 constexpr std::array kMakers = {
     Maker{cost_figures, "accuracy against time", "lognormal-3d.json"},
+    Maker{knob_figures, "error over accuracy knobs", "accuracy-cost.json"},
     Maker{packing_figures, "packings and their radii", "quickstart.json"},
     Maker{size_ratio_figure, "φ over the size ratio", "bimodal-3d.json"},
     Maker{furnas_figures, "the Furnas plane", "furnas.json"},

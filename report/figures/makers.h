@@ -55,6 +55,7 @@ Figures convergence_figures(const FigureInput& input); ///< phi and H over the s
 Figures scaling_figures(const FigureInput& input);     ///< time over N, with fits and residuals
 Figures contact_figures(const FigureInput& input);     ///< phi over friction and work of adhesion
 Figures cost_figures(const FigureInput& input);        ///< accuracy against time
+Figures knob_figures(const FigureInput& input);        ///< error and time over accuracy knobs
 Figures packing_figures(const FigureInput& input);     ///< histograms, and packings drawn
 
 } // namespace tamp

@@ -44,7 +44,7 @@ TEST_CASE("Each kind of figure is drawn without a complaint, in three formats, a
     CHECK(find_file(figures, figure.name + ".png")->substr(1, 3) == "PNG");
   }
   for (const char* name : {"accuracy_against_time", "phi_over_size_ratio", "furnas_plane_d_r", "convergence_with_size",
-                           "time_over_count", "phi_over_contact"})
+                           "time_over_count", "phi_over_contact", "accuracy_front", "accuracy_knobs"})
     CHECK(names.count(name) == 1);
   CHECK(std::count_if(names.begin(), names.end(), [](const auto& name) { return name.starts_with("packing_"); }) == 12);
   CHECK(std::count_if(names.begin(), names.end(), [](const auto& name) { return name.starts_with("radii_"); }) == 12);

@@ -90,6 +90,15 @@ inline SyntheticCampaign everything() {
       job.method.material.adhesion = adhesion;
       add_measured(campaign, job, "gravity", {{"N", 1000}, {"phi", 0.6 - 0.1 * friction - adhesion}}, 100);
     }
+  for (const double rate : {0.04, 0.02, 0.01, 0.005})
+    for (int replicate = 0; replicate < 2; ++replicate) {
+      Job job;
+      job.scene = paper_scene(3);
+      job.replicate = replicate;
+      job.method.name = MethodName::dem_isostatic;
+      job.method.dem_isostatic.rate = rate;
+      add_measured(campaign, job, "rates", {{"N", 1000}, {"phi", 0.64 - rate + 1e-4 * replicate}}, 1 / rate);
+    }
   return campaign;
 }
 
