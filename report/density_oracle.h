@@ -6,6 +6,7 @@
 
 #include <array>
 #include <map>
+#include <span>
 #include <string>
 
 namespace tamp {
@@ -26,6 +27,11 @@ std::array<Column, 2> oracle_columns();
 /// The expected density of a 3D powder, and the mean exact packing fraction minus it ± standard deviation, doubtful
 /// where that is above 0 by more than the standard deviation. Empty in 2D, where no theory is known.
 std::array<Cell, 2> oracle_cells(const RunGroup& group, DensityOracle& oracle);
+
+/// Groups whose density is above the expected one by more than their standard deviation (of a single packing, its
+/// standard error), each with the descriptor that shows why: overlaps, another mixture, crystals; empty if there is
+/// none.
+std::string above_in_words(std::span<const RunGroup> groups);
 
 /// What the two columns mean.
 std::string oracle_sentence();

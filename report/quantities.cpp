@@ -51,6 +51,10 @@ std::vector<std::string> ok_keys(const RunGroup& group) {
   return keys;
 }
 
+double inner_error(const RunGroup& group, std::string_view symbol) {
+  return summarize_measure(group, std::string(symbol) + "_se").mean;
+}
+
 Cell quantity_cell(const RunGroup& group, const Quantity& quantity) {
   const Summary summary = summarize_measure(group, quantity.symbol == "N_part" ? "N" : quantity.symbol);
   Cell cell;
@@ -61,7 +65,7 @@ Cell quantity_cell(const RunGroup& group, const Quantity& quantity) {
   switch (quantity.statistic) {
   case Statistic::mean:
     cell.value = summary.mean;
-    cell.spread = summary.sd;
+    cell.spread = summary.n == 1 ? inner_error(group, quantity.symbol) : summary.sd;
     break;
   case Statistic::largest:
     cell.value = summary.largest;

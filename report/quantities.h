@@ -43,7 +43,11 @@ std::optional<double> density_of(const Run& run);
 /// The keys of the ok runs of a group.
 std::vector<std::string> ok_keys(const RunGroup& group);
 
-/// The cell of a quantity; empty if no run has it.
+/// Standard error of a measure within one packing, as its metric tells it (NAME_se); NaN if it does not.
+double inner_error(const RunGroup& group, std::string_view symbol);
+
+/// The cell of a quantity; empty if no run has it. Its spread is the standard deviation over replicates, of a single
+/// one its inner error.
 Cell quantity_cell(const RunGroup& group, const Quantity& quantity);
 
 /// Wall-clock time of the generators. Where a group has both timing modes, only the exclusive runs count: a time taken

@@ -1,12 +1,14 @@
 // Notes on times and on what was run; and all notes together.
 #include "engine/model/parameter.h"
 #include "report/cells.h"
+#include "report/density_oracle.h"
 #include "report/notes.h"
 #include "report/quantities.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 #include <variant>
@@ -189,6 +191,21 @@ Note runs_note(const NotesInput& input) {
   return {"What was run", text};
 }
 
+/// What stands behind ± where there is but one packing.
+Note errors_note() {
+  return {
+      "Error bars",
+      "± is the sample standard deviation over replicates. Behind the number of a single packing it is the standard "
+      "error within that packing: of ⟨phi⟩ from the scatter of the 27 (2D: 9) equal parts of the sub-box, of ⟨z⟩ "
+      "from that of the particles' contact numbers, of ⟨H⟩ that of independent draws (multinomial)."};
+}
+
+bool any_single(std::span<const RunGroup> groups) {
+  return std::any_of(groups.begin(), groups.end(), [](const RunGroup& group) {
+    return group.ok_count() == 1 && std::isfinite(inner_error(group, "phi"));
+  });
+}
+
 } // namespace
 
 std::string paper_time_sentence() {
@@ -200,7 +217,12 @@ std::string paper_time_sentence() {
 std::vector<Note> run_notes(const NotesInput& input) {
   if (input.groups.empty())
     return {};
-  return {time_note(input), runs_note(input)};
+  std::vector<Note> notes = {time_note(input), runs_note(input)};
+  if (const std::string above = above_in_words(input.groups); !above.empty())
+    notes.push_back({"Denser than random close packing", above});
+  if (any_single(input.groups))
+    notes.push_back(errors_note());
+  return notes;
 }
 
 std::vector<Note> all_notes(const NotesInput& input, std::vector<Note> own) {

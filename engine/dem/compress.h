@@ -25,7 +25,7 @@ struct CompressTask {
   double pressure = 1e-2; ///< of the compression, in units of the contacts' modulus: the order of relative overlaps;
                           ///< not of spheres that rub or adhere
   double rate = 1e-3;     ///< the box edge shrinks by at most this share in one step
-  double force_balance = 1e-2; ///< a stage ends when the rms net force of a sphere is this many mean contact forces
+  double force_balance = 2e-2; ///< a stage ends when the rms net force of a sphere is this many mean contact forces
   double stop_strain = 1e-4;   ///< it also ends when the volume changes by less than this share in 100 evaluations
 
   ContactEffects effects = {};

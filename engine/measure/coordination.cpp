@@ -2,6 +2,7 @@
 #include "engine/measure/metrics.h"
 #include "engine/search/packing_search.h"
 
+#include <cmath>
 #include <cstdint>
 
 namespace tamp {
@@ -59,6 +60,12 @@ std::vector<Measure> coordination(const Packing& packing, double contact_gap) {
     contacts[i] = graph.start[i + 1] - graph.start[i] + graph.walls[i];
     look_at(i);
   }
+  double squares = 0; // of each sphere's number of partners from the mean one
+  const double mean = n == 0 ? 0 : static_cast<double>(graph.partners.size()) / static_cast<double>(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double off = static_cast<double>(graph.start[i + 1] - graph.start[i]) - mean;
+    squares += off * off;
+  }
   std::size_t rattlers = 0;
   while (!to_remove.empty()) {
     const std::size_t i = to_remove.back();
@@ -76,7 +83,9 @@ std::vector<Measure> coordination(const Packing& packing, double contact_gap) {
   const auto of = [](std::size_t part, std::size_t whole) {
     return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
   };
+  const auto count = static_cast<double>(n);
   return {{"z", of(graph.partners.size(), n), "1"},
+          {"z_se", n < 2 ? 0 : std::sqrt(squares / (count - 1) / count), "1"},
           {"z_no_rattlers", of(ends, n - rattlers), "1"},
           {"rattlers", of(rattlers, n), "1"}};
 }

@@ -22,6 +22,8 @@ constexpr std::array kMeasurements = {
     Measurement{MetricName::stable_alone, &measure_stable_alone},
     Measurement{MetricName::coordination, &measure_coordination},
     Measurement{MetricName::composition, &measure_composition},
+    Measurement{MetricName::bond_order, &measure_bond_order},
+    Measurement{MetricName::stable_loaded, &measure_stable_loaded},
 };
 
 /// Throws Error unless the packing is one that every metric can work on.

@@ -4,7 +4,9 @@
 #include "engine/measure/metrics.h"
 #include "engine/measure/sub_box.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace tamp {
 
@@ -29,9 +31,47 @@ double with_images(const Packing& packing, Vec<D> centre, double radius, const S
   return sum;
 }
 
+/// Parts of the sub-box along each axis, whose densities give the standard error.
+constexpr int kParts = 3;
+
+/// Filled measure of each part.
 template <int D>
-double phi(const Metric& metric, const Packing& packing) {
-  const SubBox<D> box = sub_box<D>(packing, metric.inset);
+struct Filled {
+  std::array<double, D == 2 ? kParts * kParts : kParts * kParts * kParts> of_part{};
+
+  void operator+=(const Filled& other) {
+    for (std::size_t k = 0; k < of_part.size(); ++k)
+      of_part[k] += other.of_part[k];
+  }
+};
+
+template <int D>
+double standard_error(const Packing& packing, const SubBox<D>& box) {
+  const Vec<D> edge = (box.high - box.low) / kParts;
+  const auto parts = parallel_sum<Filled<D>>(packing.count(), [&](std::size_t i) {
+    Filled<D> filled;
+    for (std::size_t k = 0; k < filled.of_part.size(); ++k) {
+      SubBox<D> part;
+      std::size_t rest = k;
+      for (int a = 0; a < D; ++a, rest /= kParts)
+        part.low[a] = box.low[a] + edge[a] * static_cast<double>(rest % kParts);
+      part.high = part.low + edge;
+      filled.of_part[k] = with_images<D>(packing, packing.centre<D>(i), packing.radii[i], part);
+    }
+    return filled;
+  });
+  const auto n = static_cast<double>(parts.of_part.size());
+  double mean = 0;
+  for (const double filled : parts.of_part)
+    mean += filled / n;
+  double squares = 0;
+  for (const double filled : parts.of_part)
+    squares += (filled - mean) * (filled - mean);
+  return std::sqrt(squares / (n - 1) / n) / edge.prod();
+}
+
+template <int D>
+double phi(const SubBox<D>& box, const Packing& packing) {
   const double filled = parallel_sum<double>(packing.count(), [&](std::size_t i) {
     return with_images<D>(packing, packing.centre<D>(i), packing.radii[i], box);
   });
@@ -42,7 +82,8 @@ double phi(const Metric& metric, const Packing& packing) {
 
 std::vector<Measure> measure_phi(const Metric& metric, const Packing& packing, const Scene&) {
   return with_dimension(packing.dimension, [&](auto d) -> std::vector<Measure> {
-    return {{"phi", phi<d>(metric, packing), "1"}};
+    const SubBox<d> box = sub_box<d>(packing, metric.inset);
+    return {{"phi", phi<d>(box, packing), "1"}, {"phi_se", standard_error<d>(packing, box), "1"}};
   });
 }
 

@@ -9,11 +9,22 @@
 
 namespace tamp {
 
-enum class MetricName { hellinger, phi, phi_paper, overlap, stable_alone, coordination, composition };
+enum class MetricName {
+  hellinger,
+  phi,
+  phi_paper,
+  overlap,
+  stable_alone,
+  coordination,
+  composition,
+  bond_order,
+  stable_loaded
+};
 template <>
 struct EnumNames<MetricName> {
-  static constexpr std::array<std::string_view, 7> value{"hellinger",    "phi",          "phi_paper",  "overlap",
-                                                         "stable_alone", "coordination", "composition"};
+  static constexpr std::array<std::string_view, 9> value{"hellinger",   "phi",          "phi_paper",
+                                                         "overlap",     "stable_alone", "coordination",
+                                                         "composition", "bond_order",   "stable_loaded"};
 };
 
 /// A metric with its parameters; each metric uses only its own.
@@ -21,7 +32,9 @@ struct Metric {
   MetricName name = MetricName::phi;
   std::int64_t bins = 80;    ///< hellinger: K equal bins between the smallest and the largest radius of the law
   double inset = 0.05;       ///< phi, phi_paper: share of each edge cut from each side of the sub-box
-  double contact_gap = 1e-6; ///< stable_alone, coordination: largest gap of a contact, relative to the smaller radius
+  double contact_gap = 1e-6; ///< stable_alone, stable_loaded, coordination: largest gap, relative to the smaller radius
+  std::int64_t iterations = 4000; ///< stable_loaded: at most
+  double friction = 0;            ///< stable_loaded: Coulomb's mu of every contact
 };
 
 /// What is known of a metric without running it. A revision goes up whenever the same packing would give other values.

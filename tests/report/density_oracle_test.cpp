@@ -47,3 +47,16 @@ TEST_CASE("Discs have no oracle") {
   CHECK(cells[0].empty());
   CHECK(cells[1].empty());
 }
+
+TEST_CASE("What is denser than random close packing is told with the descriptor that shows why") {
+  RunGroup dense = group_of(paper_scene(3), {0.78, 0.782});
+  CHECK(above_in_words({&dense, 1}).find("do not explain") != std::string::npos);
+  for (Run& run : dense.runs)
+    run.generation->measures.push_back({"crystalline", 0.4, "1"});
+  CHECK(above_in_words({&dense, 1}).find("40 % of the particles are in crystals") != std::string::npos);
+  for (Run& run : dense.runs)
+    run.generation->measures.insert(run.generation->measures.begin(), {"overlap_max", 0.05, "1"});
+  CHECK(above_in_words({&dense, 1}).find("overlap by up to 0.05") != std::string::npos);
+  const RunGroup loose = group_of(paper_scene(3), {0.70, 0.702});
+  CHECK(above_in_words({&loose, 1}).empty());
+}

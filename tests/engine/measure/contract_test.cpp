@@ -55,22 +55,24 @@ Packing in_reverse(const Packing& packing) {
   return reversed;
 }
 
-/// Few bins, which keep the simulated sampling floor cheap.
+/// Few bins, which keep the simulated sampling floor cheap, and few steps of what iterates.
 Metric cheap(MetricName name) {
   Metric metric = metric_of(name);
   metric.bins = 8;
+  metric.iterations = 40;
   return metric;
 }
 
-/// Numbers that count must agree exactly, others to the rounding of long sums.
-void check_same(const std::vector<Measure>& a, const std::vector<Measure>& b) {
-  constexpr double kRounding = 1e-11;
+/// Numbers that count must agree exactly, others to the rounding of long sums, those of an iteration to where it ends.
+void check_same(MetricName name, const std::vector<Measure>& a, const std::vector<Measure>& b) {
+  const bool iterates = name == MetricName::stable_loaded;
+  const double rounding = iterates ? 1e-3 : 1e-11;
   REQUIRE(a.size() == b.size());
   for (std::size_t k = 0; k < a.size(); ++k) {
     CAPTURE(a[k].name);
     CHECK(a[k].name == b[k].name);
     // A Hellinger distance near 0 is the root of a rounded number.
-    CHECK(b[k].value == Approx(a[k].value).epsilon(kRounding).margin(1e-12));
+    CHECK(b[k].value == Approx(a[k].value).epsilon(rounding).margin(iterates ? 1e-3 : 1e-12));
   }
 }
 
@@ -100,8 +102,8 @@ TEST_CASE("all metrics on all packings") {
       }
 
       const Packing metres = rescaled(example.packing, 1e-6);
-      check_same(found, measure(metric, metres, rescaled_scene(scene, 1e-6)));
-      check_same(found, measure(metric, in_reverse(example.packing), scene));
+      check_same(row.name, found, measure(metric, metres, rescaled_scene(scene, 1e-6)));
+      check_same(row.name, found, measure(metric, in_reverse(example.packing), scene));
     }
   }
 }

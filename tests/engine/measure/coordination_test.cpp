@@ -60,3 +60,13 @@ TEST_CASE("the gap of a contact is relative to the smaller sphere") {
   metric.contact_gap = 0.9e-4;
   CHECK(measured("z", packing, metric, {}) == 0);
 }
+
+TEST_CASE("the standard error of z is that of the spheres' numbers: three in a row have 1, 2 and 1 contacts") {
+  Packing row = box_of(3, 10);
+  for (const double x : {1.0, 3.0, 5.0})
+    row.positions.insert(row.positions.end(), {x + 1, 5, 5});
+  row.radii = {1, 1, 1};
+  const Metric metric = metric_of(MetricName::coordination);
+  CHECK(measured("z", row, metric, {}) == Approx(4.0 / 3));
+  CHECK(measured("z_se", row, metric, {}) == Approx(std::sqrt(1.0 / 3 / 3))); // sample variance 1/3
+}

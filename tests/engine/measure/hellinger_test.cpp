@@ -4,6 +4,8 @@
 #include "tests/engine/measure/packings.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
 #include <utility>
 
 using namespace tamp;
@@ -189,4 +191,43 @@ TEST_CASE("a packing in another unit or dimension than the law is not compared")
   packing.unit = LengthUnit::m;
   CHECK_THROWS_AS(hellinger(packing, powder_scene(3)), Error);
   CHECK_THROWS_AS(hellinger(with_radii(3, {1, 2}), powder_scene(2)), Error);
+}
+
+TEST_CASE("the standard error of H foretells its scatter over samples of another law") {
+  // Draws of a law that is wider than the one they are compared with, so that H lies well above its floor.
+  Scene scene;
+  scene.dimension = 3;
+  scene.psd.law = Law::lognormal;
+  scene.psd.mu_ln = 0;
+  scene.psd.sigma_ln = 0.3;
+  scene.psd.r_min = 0.3;
+  scene.psd.r_max = 3;
+  scene.size = {100, 100, 100};
+  Psd wide = scene.psd;
+  wide.sigma_ln = 0.5;
+  const SizeLaw law(wide, 3);
+  constexpr int kSamples = 60;
+  constexpr double kOfSixty = 0.3; // a standard deviation from sixty samples is known to 9 %
+  std::map<std::string, std::vector<double>> found;
+  std::map<std::string, double> told;
+  for (std::uint64_t k = 0; k < kSamples; ++k) {
+    RandomStream draw("standard error of H", k);
+    std::vector<double> radii(500);
+    for (double& r : radii)
+      r = law.quantile(draw.uniform());
+    for (const Measure& measure : hellinger(with_radii(3, radii), scene, 8)) {
+      found[measure.name].push_back(measure.value);
+      told[measure.name] += measure.value / kSamples;
+    }
+  }
+  for (const std::string name : {"H_N", "H_V"}) {
+    double mean = 0;
+    for (const double h : found[name])
+      mean += h / kSamples;
+    double variance = 0;
+    for (const double h : found[name])
+      variance += (h - mean) * (h - mean) / (kSamples - 1);
+    CAPTURE(name, mean);
+    CHECK(told[name + "_se"] == Approx(std::sqrt(variance)).epsilon(kOfSixty));
+  }
 }

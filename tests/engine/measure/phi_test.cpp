@@ -127,3 +127,40 @@ TEST_CASE("spheres whose centres span no volume have no density") {
   add(periodic, {5, 5, 5}, 1);
   CHECK(phi_of(periodic, 0) == Approx(4 * kPi / 3 / 1000).epsilon(1e-14));
 }
+
+TEST_CASE(
+    "the standard error of phi is 0 for a lattice whose parts are alike, and foretells the scatter of random ones") {
+  // One sphere in each third of the box along each axis, periodic: all 27 parts are the same.
+  Packing lattice = box_of(3, 9);
+  lattice.boundary = {Boundary::periodic, Boundary::periodic, Boundary::periodic};
+  for (int i = 0; i < 27; ++i) {
+    for (const int k : {i % 3, i / 3 % 3, i / 9})
+      lattice.positions.push_back(1.5 + 3 * k);
+    lattice.radii.push_back(1);
+  }
+  Metric whole = metric_of(MetricName::phi);
+  whole.inset = 0;
+  CHECK(measured("phi_se", lattice, whole, {}) == Approx(0).margin(1e-14));
+
+  for (const int dimension : {2, 3}) {
+    std::vector<double> found;
+    double told = 0;
+    constexpr int kPackings = 200;
+    for (std::uint64_t seed = 0; seed < kPackings; ++seed) {
+      RandomStream draw("standard error of phi", seed);
+      const Packing gas = random_packing(dimension, 400, 20, 0.4, Boundary::wall, draw);
+      Metric inner = metric_of(MetricName::phi);
+      inner.inset = 0.2; // spheres come and go through the faces of the sub-box, as independent parts would have it
+      found.push_back(measured("phi", gas, inner, {}));
+      told += measured("phi_se", gas, inner, {}) / kPackings;
+    }
+    double mean = 0;
+    for (const double phi : found)
+      mean += phi / kPackings;
+    double variance = 0;
+    for (const double phi : found)
+      variance += (phi - mean) * (phi - mean) / (kPackings - 1);
+    CAPTURE(dimension, mean, told);
+    CHECK(told == Approx(std::sqrt(variance)).epsilon(0.25));
+  }
+}
